@@ -1,0 +1,42 @@
+// Voxel grids as spans of numbers: all that core/ knows of a volume.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <variant>
+
+namespace isoloop {
+
+using Index3 = std::array<std::int64_t, 3>;  // (i, j, k); i is the fastest axis in memory
+using Vec3 = std::array<double, 3>;
+
+inline double distance(const Vec3& p, const Vec3& q) {
+  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+}
+
+/// A scalar field on dims[0] * dims[1] * dims[2] voxel centres. Not owned.
+template <class T>
+struct GridView {
+  std::span<const T> values;    // values[i + dims[0] * (j + dims[1] * k)]
+  Index3 dims{};                // each at least 1
+  Vec3 spacing{1.0, 1.0, 1.0};  // unit of length per voxel, each positive and finite
+};
+
+/// A grid in the type that its voxels were stored in.
+using AnyGridView =
+    std::variant<GridView<std::uint8_t>, GridView<std::int8_t>, GridView<std::uint16_t>,
+                 GridView<std::int16_t>, GridView<std::uint32_t>, GridView<std::int32_t>,
+                 GridView<float>, GridView<double>>;
+
+/// Which voxels belong to I, the solid: those with f >= iso, or those with f <= iso.
+enum class InsideRule { above, below };
+
+/// Where the solid's border runs. f = iso is inside under both rules.
+struct IsoLevel {
+  double iso = 0.0;  // unit of the voxel values
+  InsideRule inside = InsideRule::above;
+};
+
+}  // namespace isoloop
