@@ -1,0 +1,242 @@
+#include "core/sides.h"
+
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <string>
+#include <type_traits>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
+#include "core/errors.h"
+#include "core/level.h"
+
+namespace isoloop {
+namespace {
+
+/// Smallest box of voxels that holds all those inside; empty while lower > upper.
+struct Bounds {
+  Index3 lower{std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::max(),
+               std::numeric_limits<std::int64_t>::max()};
+  Index3 upper{-1, -1, -1};
+  std::int64_t first_nan = std::numeric_limits<std::int64_t>::max();
+
+  void include(std::int64_t x0, std::int64_t x1, std::int64_t y, std::int64_t z) {
+    lower = {std::min(lower[0], x0), std::min(lower[1], y), std::min(lower[2], z)};
+    upper = {std::max(upper[0], x1), std::max(upper[1], y), std::max(upper[2], z)};
+  }
+  static Bounds join(const Bounds& a, const Bounds& b) {
+    Bounds all = a;
+    for (int i = 0; i < 3; ++i) {
+      all.lower[i] = std::min(a.lower[i], b.lower[i]);
+      all.upper[i] = std::max(a.upper[i], b.upper[i]);
+    }
+    all.first_nan = std::min(a.first_nan, b.first_nan);
+    return all;
+  }
+};
+
+template <class T>
+bool is_inside(T value, const IsoLevel& level) {
+  return level.inside == InsideRule::above ? static_cast<double>(value) >= level.iso
+                                           : static_cast<double>(value) <= level.iso;
+}
+
+template <class T>
+void scan_row(const GridView<T>& grid, const IsoLevel& level, std::int64_t y, std::int64_t z,
+              Bounds& bounds) {
+  const std::int64_t start = grid.dims[0] * (y + grid.dims[1] * z);
+  const T* row = grid.values.data() + start;
+  std::int64_t first = grid.dims[0];
+  std::int64_t last = -1;
+  for (std::int64_t x = 0; x < grid.dims[0]; ++x) {
+    if constexpr (std::is_floating_point_v<T>)
+      if (std::isnan(row[x])) bounds.first_nan = std::min(bounds.first_nan, start + x);
+    if (!is_inside(row[x], level)) continue;
+    first = std::min(first, x);
+    last = x;
+  }
+  if (last >= 0) bounds.include(first, last, y, z);
+}
+
+template <class T>
+Bounds inside_bounds(const GridView<T>& grid, const IsoLevel& level) {
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::int64_t>(0, grid.dims[2]), Bounds{},
+      [&](const tbb::blocked_range<std::int64_t>& slab, Bounds bounds) {
+        for (std::int64_t z = slab.begin(); z < slab.end(); ++z)
+          for (std::int64_t y = 0; y < grid.dims[1]; ++y) scan_row(grid, level, y, z, bounds);
+        return bounds;
+      },
+      Bounds::join);
+}
+
+template <class T>
+void check_grid(const GridView<T>& grid, const IsoLevel& level) {
+  std::int64_t count = 1;
+  for (const std::int64_t n : grid.dims) count *= n;
+  if (count <= 0 || static_cast<std::int64_t>(grid.values.size()) != count)
+    throw InvalidArgument("the grid's dimensions do not fit its number of voxels");
+  if (std::isnan(level.iso)) throw InvalidArgument("the iso value is NaN: give a number");
+}
+
+Lattice lattice_around(const Bounds& bounds) {
+  Index3 first{};
+  std::array<std::uint32_t, 3> dims{};
+  std::uint64_t count = 1;
+  for (int a = 0; a < 3; ++a) {
+    first[a] = bounds.lower[a] - 1;
+    const auto extent = static_cast<std::uint64_t>(bounds.upper[a] - bounds.lower[a]) + 3;
+    if (extent > max_lattice_vertices || count * extent > max_lattice_vertices)
+      throw LimitExceeded("the solid's bounding box has more than " +
+                          std::to_string(max_lattice_vertices) +
+                          " voxels: crop the volume or halve its resolution");
+    count *= extent;
+    dims[a] = static_cast<std::uint32_t>(extent);
+  }
+  return make_lattice(first, dims);
+}
+
+template <class Body>
+void for_each_layer(const Lattice& lattice, const Body& body) {
+  tbb::parallel_for(std::uint32_t{0}, lattice.dims[2], body);
+}
+
+template <class T>
+void mark_inside(const GridView<T>& grid, const IsoLevel& level, Sides& sides) {
+  const Lattice& lattice = sides.lattice;
+  for_each_layer(lattice, [&](std::uint32_t z) {
+    if (z == 0 || z + 1 == lattice.dims[2]) return;
+    for (std::uint32_t y = 1; y + 1 < lattice.dims[1]; ++y) {
+      const std::int64_t start =
+          lattice.first[0] + 1 +
+          grid.dims[0] * (lattice.first[1] + y + grid.dims[1] * (lattice.first[2] + z));
+      const T* from = grid.values.data() + start;
+      std::uint8_t* to = sides.inside.data() + lattice.vertex(1, y, z);
+      for (std::uint32_t x = 0; x + 2 < lattice.dims[0]; ++x) to[x] = is_inside(from[x], level);
+    }
+  });
+}
+
+struct FaceBits {
+  unsigned ambiguous = 0;  // bit f: face f of the cube
+  unsigned joined = 0;
+};
+
+/// Reads an ambiguous face's values; it never leaves the grid: of two neighbours one is inside.
+template <class T>
+FaceBits decide_faces(const GridView<T>& grid, const IsoLevel& level, const Lattice& lattice,
+                      const std::array<std::uint32_t, 3>& p, std::uint8_t corners) {
+  FaceBits decided;
+  for (int face = 0; face < 6; ++face) {
+    const auto ring = face_ring(face);
+    unsigned bits = 0;
+    for (int i = 0; i < 4; ++i) bits |= (corners >> ring[i] & 1U) << i;
+    if (!is_ambiguous(bits)) continue;
+    decided.ambiguous |= 1U << face;
+    std::array<double, 4> levels{};
+    for (int i = 0; i < 4; ++i) {
+      const std::int64_t x = lattice.first[0] + p[0] + (ring[i] & 1);
+      const std::int64_t y = lattice.first[1] + p[1] + (ring[i] >> 1 & 1);
+      const std::int64_t z = lattice.first[2] + p[2] + (ring[i] >> 2 & 1);
+      levels[i] = level_of(grid.values[x + grid.dims[0] * (y + grid.dims[1] * z)], level);
+    }
+    if (inside_is_joined(levels)) decided.joined |= 1U << face;
+  }
+  return decided;
+}
+
+template <class T>
+void mark_cubes(const GridView<T>& grid, const IsoLevel& level, Sides& sides) {
+  const Lattice& lattice = sides.lattice;
+  tbb::parallel_for(std::uint32_t{0}, lattice.dims[2] - 1, [&](std::uint32_t z) {
+    for (std::uint32_t y = 0; y + 1 < lattice.dims[1]; ++y)
+      for (std::uint32_t x = 0; x + 1 < lattice.dims[0]; ++x) {
+        const std::uint32_t v = lattice.vertex(x, y, z);
+        const std::uint8_t corners = inside_corners(sides, v);
+        if (corners == 0 || corners == 255) continue;
+        const FaceBits faces = decide_faces(grid, level, lattice, {x, y, z}, corners);
+        unsigned flags = Sides::is_cut;
+        for (int a = 0; a < 3; ++a)
+          flags |= (faces.joined >> (2 * a) & 1U) * Sides::lower_face_joined << a;
+        if ((faces.ambiguous & 0b010101U) != 0) flags |= Sides::has_ambiguous_face;
+        const CubeCut& cut = cube_cut(corners, static_cast<std::uint8_t>(faces.joined), false);
+        if (cut.cell_count[0] > 1) flags |= Sides::many_outside_cells;
+        if (cut.cell_count[1] > 1) flags |= Sides::many_inside_cells;
+        sides.cubes[v] |= static_cast<std::uint8_t>(flags);
+      }
+  });
+}
+
+void mark_border(Sides& sides) {
+  const Lattice& lattice = sides.lattice;
+  const auto is_end = [&](std::uint32_t i, int axis) {
+    return i == 0 || i + 1 == lattice.dims[axis];
+  };
+  for_each_layer(lattice, [&](std::uint32_t z) {
+    for (std::uint32_t y = 0; y < lattice.dims[1]; ++y) {
+      const bool whole_row = is_end(y, 1) || is_end(z, 2);
+      const std::uint32_t step = whole_row ? 1 : lattice.dims[0] - 1;
+      for (std::uint32_t x = 0; x < lattice.dims[0]; x += step)
+        sides.cubes[lattice.vertex(x, y, z)] |= Sides::on_border;
+    }
+  });
+}
+
+template <class T>
+Sides classify_grid(const GridView<T>& grid, const IsoLevel& level) {
+  check_grid(grid, level);
+  const Bounds bounds = inside_bounds(grid, level);
+  if (bounds.first_nan != std::numeric_limits<std::int64_t>::max()) {
+    const std::int64_t n = bounds.first_nan;
+    throw InvalidInput("voxel (" + std::to_string(n % grid.dims[0]) + ", " +
+                       std::to_string(n / grid.dims[0] % grid.dims[1]) + ", " +
+                       std::to_string(n / grid.dims[0] / grid.dims[1]) +
+                       ") is NaN: give a value to put in its place");
+  }
+  Sides sides;
+  if (bounds.upper[0] < 0) return sides;
+  sides.lattice = lattice_around(bounds);
+  sides.inside.assign(sides.lattice.vertex_count(), 0);
+  sides.cubes.assign(sides.lattice.vertex_count(), 0);
+  mark_inside(grid, level, sides);
+  mark_border(sides);
+  mark_cubes(grid, level, sides);
+  return sides;
+}
+
+}  // namespace
+
+Sides classify(const AnyGridView& grid, const IsoLevel& level) {
+  return std::visit([&](const auto& view) { return classify_grid(view, level); }, grid);
+}
+
+std::uint8_t inside_corners(const Sides& sides, std::uint32_t vertex) {
+  const std::uint8_t* p = sides.inside.data() + vertex;
+  const std::uint32_t dy = sides.lattice.stride[1];
+  const std::uint32_t dz = sides.lattice.stride[2];
+  return static_cast<std::uint8_t>(p[0] | p[1] << 1 | p[dy] << 2 | p[dy + 1] << 3 | p[dz] << 4 |
+                                   p[dz + 1] << 5 | p[dz + dy] << 6 | p[dz + dy + 1] << 7);
+}
+
+std::uint8_t joined_faces(const Sides& sides, std::uint32_t vertex) {
+  unsigned joined = 0;
+  for (int a = 0; a < 3; ++a) {
+    const unsigned bit = unsigned{Sides::lower_face_joined} << a;
+    if ((sides.cubes[vertex] & bit) != 0) joined |= 1U << (2 * a);
+    if ((sides.cubes[vertex + sides.lattice.stride[a]] & bit) != 0) joined |= 2U << (2 * a);
+  }
+  return static_cast<std::uint8_t>(joined);
+}
+
+const CubeCut& cut_at(const Sides& sides, std::uint32_t vertex) {
+  const auto p = sides.lattice.position(vertex);
+  std::int64_t sum = 0;
+  for (int a = 0; a < 3; ++a) sum += sides.lattice.first[a] + p[a];
+  return cube_cut(inside_corners(sides, vertex), joined_faces(sides, vertex), (sum & 1) != 0);
+}
+
+}  // namespace isoloop

@@ -1,0 +1,177 @@
+#include "core/surface.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include <tbb/parallel_for.h>
+
+#include "core/disjoint_sets.h"
+#include "core/level.h"
+
+namespace isoloop {
+namespace {
+
+/// Where M crosses from the inside end of an edge to its outside end, as a share of its length.
+constexpr double least_share = 1e-3;
+
+template <class T>
+double share_from_lower(const GridView<T>& grid, const IsoLevel& level, const Index3& lower,
+                        int axis) {
+  Index3 upper = lower;
+  ++upper[axis];
+  const auto within = [&](const Index3& p) { return p[axis] >= 0 && p[axis] < grid.dims[axis]; };
+  if (!within(lower) || !within(upper)) return 0.5;
+  const auto at = [&](const Index3& p) {
+    return level_of(grid.values[p[0] + grid.dims[0] * (p[1] + grid.dims[1] * p[2])], level);
+  };
+  const double from = at(lower);
+  const double to = at(upper);
+  return std::clamp(from / (from - to), least_share, 1.0 - least_share);
+}
+
+template <class T>
+void place_vertices(const GridView<T>& grid, const IsoLevel& level, const Sides& sides,
+                    const EdgeIndex& edges, Surface& surface) {
+  tbb::parallel_for(std::uint32_t{0}, edges.block_count(), [&](std::uint32_t b) {
+    edges.visit_block(b, [&](std::uint32_t vertex, std::uint32_t grid_edge) {
+      const auto p = sides.lattice.position(grid_edge / 3);
+      const int axis = static_cast<int>(grid_edge % 3);
+      Index3 lower{};
+      for (int a = 0; a < 3; ++a) lower[a] = sides.lattice.first[a] + p[a];
+      for (int a = 0; a < 3; ++a) surface.points[vertex][a] = static_cast<float>(lower[a]);
+      surface.points[vertex][axis] = static_cast<float>(static_cast<double>(lower[axis]) +
+                                                        share_from_lower(grid, level, lower, axis));
+      surface.grid_edges[vertex] = grid_edge;
+    });
+  });
+}
+
+/// Number of the grid edge that is edge `cube_edge` of the cube at `vertex`.
+std::uint32_t grid_edge_of(const Lattice& lattice, std::uint32_t vertex, int cube_edge) {
+  const int axis = cube_edge / 4;
+  const auto [b, c] = cross_axes(axis);
+  const std::uint32_t base =
+      vertex + (cube_edge & 1) * lattice.stride[b] + (cube_edge >> 1 & 1) * lattice.stride[c];
+  return 3 * base + static_cast<std::uint32_t>(axis);
+}
+
+/// Calls visit(cube, cut) for the cut cubes of one layer, in scan order.
+template <class Visit>
+void for_each_cut_cube(const Sides& sides, std::uint32_t layer, const Visit& visit) {
+  const std::uint32_t begin = layer * sides.lattice.stride[2];
+  for (std::uint32_t v = begin; v < begin + sides.lattice.stride[2]; ++v)
+    if ((sides.cubes[v] & Sides::is_cut) != 0) visit(v, cut_at(sides, v));
+}
+
+void triangulate(const Sides& sides, const EdgeIndex& edges, Surface& surface) {
+  const std::uint32_t layers = sides.lattice.dims[2];
+  std::vector<std::int64_t> polygons(layers);
+  std::vector<std::size_t> first(layers + 1);
+  tbb::parallel_for(std::uint32_t{0}, layers, [&](std::uint32_t z) {
+    for_each_cut_cube(sides, z, [&](std::uint32_t, const CubeCut& cut) {
+      polygons[z] += cut.polygon_count;
+      first[z + 1] += cut.triangle_count;
+    });
+  });
+  surface.polygons = std::accumulate(polygons.begin(), polygons.end(), std::int64_t{0});
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  surface.triangles.resize(first.back());
+  surface.triangle_cubes.resize(first.back());
+  tbb::parallel_for(std::uint32_t{0}, layers, [&](std::uint32_t z) {
+    std::size_t next = first[z];
+    for_each_cut_cube(sides, z, [&](std::uint32_t cube, const CubeCut& cut) {
+      for (int t = 0; t < cut.triangle_count; ++t, ++next) {
+        for (int i = 0; i < 3; ++i)
+          surface.triangles[next][i] =
+              edges.vertex_on(grid_edge_of(sides.lattice, cube, cut.triangles[t][i]));
+        surface.triangle_cubes[next] = cube;
+      }
+    });
+  });
+}
+
+void build_graph(Surface& surface) {
+  std::vector<std::uint32_t> sources(3 * surface.triangles.size());
+  std::vector<std::uint32_t> targets(sources.size());
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for (int i = 0; i < 3; ++i) {
+      sources[3 * t + i] = surface.triangles[t][i];
+      targets[3 * t + i] = surface.triangles[t][(i + 1) % 3];
+    }
+  EdgeGraph& graph = surface.graph;
+  graph.csr = EdgeGraph::Csr(boost::construct_inplace_from_sources_and_targets, sources, targets,
+                             static_cast<std::uint32_t>(surface.points.size()));
+  graph.lengths.resize(num_edges(graph.csr));
+  tbb::parallel_for(std::uint32_t{0}, graph.vertex_count(), [&](std::uint32_t u) {
+    const Vec3 p = scaled_point(surface, u);
+    graph.for_each_out_edge(u, [&](std::uint32_t v, std::uint32_t edge) {
+      graph.lengths[edge] = static_cast<float>(distance(p, scaled_point(surface, v)));
+    });
+  });
+}
+
+/// A closed component's first crossing of any grid row leads into the region that it encloses; so
+/// the side before its first vertex on an x-edge tells whether it encloses I or O.
+void number_components(const Sides& sides, Surface& surface) {
+  const auto count = static_cast<std::uint32_t>(surface.points.size());
+  DisjointSets sets(count);
+  for (const auto& [a, b, c] : surface.triangles) {
+    sets.unite(a, b);
+    sets.unite(a, c);
+  }
+  constexpr auto unseen = static_cast<std::uint32_t>(-1);
+  std::vector<std::uint32_t> number(count, unseen);
+  std::vector<std::uint8_t> oriented;
+  surface.component_of_vertex.resize(count);
+  for (std::uint32_t v = 0; v < count; ++v) {
+    std::uint32_t& component = number[sets.find(v)];
+    if (component == unseen) {
+      component = static_cast<std::uint32_t>(surface.components.size());
+      surface.components.emplace_back();
+      oriented.push_back(0);
+    }
+    surface.component_of_vertex[v] = component;
+    ++surface.components[component].vertices;
+    const std::uint32_t edge = surface.grid_edges[v];
+    if (edge % 3 != 0 || oriented[component] != 0) continue;
+    oriented[component] = 1;
+    surface.components[component].bounds_cavity = sides.is_on(Side::inside, edge / 3);
+  }
+  for (const auto& triangle : surface.triangles)
+    ++surface.components[surface.component_of_vertex[triangle[0]]].triangles;
+  for (SurfaceComponent& component : surface.components) {
+    component.euler = component.vertices - component.triangles / 2;
+    component.genus = (2 - component.euler) / 2;
+  }
+}
+
+}  // namespace
+
+std::int64_t Surface::euler() const { return polygons - static_cast<std::int64_t>(points.size()); }
+
+std::int64_t Surface::genus() const {
+  std::int64_t sum = 0;
+  for (const SurfaceComponent& component : components) sum += component.genus;
+  return sum;
+}
+
+Surface extract_surface(const AnyGridView& grid, const IsoLevel& level, const Sides& sides,
+                        const EdgeIndex& edges) {
+  Surface surface;
+  surface.spacing = std::visit([](const auto& view) { return view.spacing; }, grid);
+  if (sides.empty()) return surface;
+  surface.points.resize(edges.count());
+  surface.grid_edges.resize(edges.count());
+  std::visit([&](const auto& view) { place_vertices(view, level, sides, edges, surface); }, grid);
+  triangulate(sides, edges, surface);
+  build_graph(surface);
+  number_components(sides, surface);
+  return surface;
+}
+
+Vec3 scaled_point(const Surface& surface, std::uint32_t vertex) {
+  const auto& p = surface.points[vertex];
+  return {p[0] * surface.spacing[0], p[1] * surface.spacing[1], p[2] * surface.spacing[2]};
+}
+
+}  // namespace isoloop

@@ -1,0 +1,56 @@
+// M: the closed, oriented, triangulated iso-surface, with its edge graph.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/edge_graph.h"
+#include "core/edge_index.h"
+#include "core/grid.h"
+#include "core/sides.h"
+
+namespace isoloop {
+
+/// One connected component of M. It is closed: euler = 2 - 2 genus.
+struct SurfaceComponent {
+  std::int64_t vertices = 0;
+  std::int64_t triangles = 0;
+  std::int64_t euler = 0;
+  std::int64_t genus = 0;
+  bool bounds_cavity = false;  // I lies around it, not within it
+};
+
+struct Surface {
+  /// In voxel indices of the grid; each lies strictly within one grid edge. Scan order.
+  std::vector<std::array<float, 3>> points;
+  /// The grid edge (Sides' lattice) that each vertex cuts; ascending.
+  std::vector<std::uint32_t> grid_edges;
+  /// Corners in points, counter-clockwise seen from O. Each directed edge occurs once.
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  /// The cube of the lattice that holds each triangle; ascending.
+  std::vector<std::uint32_t> triangle_cubes;
+  /// One patch of a cube is one polygon; its triangles are consecutive. points - polygons = -euler.
+  std::int64_t polygons = 0;
+  /// Edge graph: one directed edge for each directed edge of a triangle, with its length.
+  EdgeGraph graph;
+  std::vector<std::uint32_t> component_of_vertex;
+  std::vector<SurfaceComponent> components;  // in the order of their first vertex
+  Vec3 spacing{1.0, 1.0, 1.0};               // length per voxel: the unit of every length on M
+
+  std::int64_t euler() const;
+  std::int64_t genus() const;
+};
+
+/// Cuts the iso-surface out of `grid`. Combinatorics depend on `sides` alone; a vertex sits where
+/// linear interpolation puts it, kept in [1/1000, 999/1000] of its grid edge, and at 1/2 on edges
+/// that lead out of the grid. `sides` must come from classify(grid, level), `edges` from `sides`.
+/// Throws LimitExceeded where vertices or triangle corners outgrow 32-bit indices.
+Surface extract_surface(const AnyGridView& grid, const IsoLevel& level, const Sides& sides,
+                        const EdgeIndex& edges);
+
+/// Position in units of length (voxel index times spacing).
+Vec3 scaled_point(const Surface& surface, std::uint32_t vertex);
+
+}  // namespace isoloop
