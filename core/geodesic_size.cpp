@@ -1,0 +1,175 @@
+#include "core/geodesic_size.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include "core/bounded_search.h"
+#include "core/surface_hierarchy.h"
+#include "core/vertex_pairs.h"
+
+namespace isoloop {
+namespace {
+
+constexpr float unknown = -1.0F;
+constexpr float infinite = std::numeric_limits<float>::infinity();
+constexpr double exact_radius = 5.0;  // voxels
+constexpr double level_radius = 8.0;  // blocks of the level
+
+/// Calls visit(edge, side, a, b): K's edge that is `grid_edge` or its half on `side`, and the
+/// surface vertices closest to its ends.
+template <class Visit>
+void for_each_edge_end_pair(const Sides& sides, const EdgeIndex& edges,
+                            const std::vector<std::uint32_t>& closest, const Visit& visit) {
+  const Lattice& lattice = sides.lattice;
+  tbb::parallel_for(std::uint32_t{0}, lattice.dims[2], [&](std::uint32_t z) {
+    for (std::uint32_t y = 0; y < lattice.dims[1]; ++y)
+      for (std::uint32_t x = 0; x < lattice.dims[0]; ++x) {
+        const std::uint32_t v = lattice.vertex(x, y, z);
+        const std::array<bool, 3> has{x + 1 < lattice.dims[0], y + 1 < lattice.dims[1],
+                                      z + 1 < lattice.dims[2]};
+        for (std::uint32_t a = 0; a < 3; ++a) {
+          if (!has[a]) continue;
+          const std::uint32_t w = v + lattice.stride[a];
+          const std::uint32_t edge = 3 * v + a;
+          if (sides.inside[v] == sides.inside[w]) {
+            visit(edge, static_cast<Side>(sides.inside[v]), closest[v], closest[w]);
+          } else {
+            const std::uint32_t crossing = edges.vertex_on(edge);
+            visit(edge, static_cast<Side>(sides.inside[v]), closest[v], crossing);
+            visit(edge, static_cast<Side>(sides.inside[w]), closest[w], crossing);
+          }
+        }
+      }
+  });
+}
+
+VertexPairs collect_pairs(const Sides& sides, const EdgeIndex& edges, const Surface& surface,
+                          const std::vector<std::uint32_t>& closest) {
+  const auto& component = surface.component_of_vertex;
+  PairCollector collector(static_cast<std::uint32_t>(surface.points.size()));
+  const auto matters = [&](std::uint32_t a, std::uint32_t b) {
+    return a != b && component[a] == component[b];
+  };
+  for_each_edge_end_pair(sides, edges, closest,
+                         [&](std::uint32_t, Side, std::uint32_t a, std::uint32_t b) {
+                           if (matters(a, b)) collector.count(a, b);
+                         });
+  collector.end_of_counting();
+  for_each_edge_end_pair(sides, edges, closest,
+                         [&](std::uint32_t, Side, std::uint32_t a, std::uint32_t b) {
+                           if (matters(a, b)) collector.add(a, b);
+                         });
+  return collector.take();
+}
+
+/// Fills in the distances up to `radius` between the partners that are still unknown.
+void search_pairs(const EdgeGraph& graph, const VertexPairs& pairs, double radius,
+                  std::vector<float>& lengths) {
+  tbb::enumerable_thread_specific<BoundedSearch> searches;
+  const tbb::blocked_range<std::uint32_t> sources(0, pairs.source_count(), 64);
+  tbb::parallel_for(sources, [&](const auto& range) {
+    BoundedSearch& search = searches.local();
+    for (std::uint32_t source = range.begin(); source < range.end(); ++source) {
+      const auto begin = pairs.partner.begin() + pairs.first[source];
+      const auto end = pairs.partner.begin() + pairs.first[source + 1];
+      auto open = std::count(lengths.begin() + pairs.first[source],
+                             lengths.begin() + pairs.first[source + 1], unknown);
+      if (open == 0) continue;
+      search.run(graph, source, radius, [&](std::uint32_t vertex, float distance) {
+        const auto at = std::lower_bound(begin, end, vertex);
+        if (at == end || *at != vertex) return true;
+        float& length = lengths[static_cast<std::size_t>(at - pairs.partner.begin())];
+        if (length != unknown) return true;
+        length = distance;
+        return --open > 0;
+      });
+    }
+  });
+}
+
+/// Calls visit(a, b, length) for each pair; a is the lesser.
+template <class Visit>
+void for_each_pair(const VertexPairs& pairs, std::vector<float>& lengths, const Visit& visit) {
+  tbb::parallel_for(std::uint32_t{0}, pairs.source_count(), [&](std::uint32_t a) {
+    for (std::uint32_t i = pairs.first[a]; i < pairs.first[a + 1]; ++i)
+      visit(a, pairs.partner[i], lengths[i]);
+  });
+}
+
+/// Lengths between clusters for the open pairs; none comes out below `least`, which the level
+/// before has searched in vain.
+void search_level(const ClusterLevel& level, const VertexPairs& pairs, double least, double radius,
+                  std::vector<float>& lengths) {
+  const auto& cluster = level.cluster_of_vertex;
+  PairCollector collector(static_cast<std::uint32_t>(level.centers.size()));
+  const auto settle_or = [&](const auto& use) {
+    for_each_pair(pairs, lengths, [&](std::uint32_t a, std::uint32_t b, float& length) {
+      if (length != unknown) return;
+      if (cluster[a] == cluster[b])
+        length = static_cast<float>(least);
+      else
+        use(cluster[a], cluster[b], length);
+    });
+  };
+  settle_or([&](std::uint32_t a, std::uint32_t b, float&) { collector.count(a, b); });
+  collector.end_of_counting();
+  settle_or([&](std::uint32_t a, std::uint32_t b, float&) { collector.add(a, b); });
+  const VertexPairs between = collector.take();
+  std::vector<float> distances(between.partner.size(), unknown);
+  search_pairs(two_step_graph(level), between, radius, distances);
+  settle_or([&](std::uint32_t a, std::uint32_t b, float& length) {
+    const float found = distances[between.find(a, b)];
+    if (found != unknown) length = std::max(found, static_cast<float>(least));
+  });
+}
+
+std::vector<float> pair_lengths(const Surface& surface, const VertexPairs& pairs,
+                                GeodesicMode mode) {
+  std::vector<float> lengths(pairs.partner.size(), unknown);
+  if (mode == GeodesicMode::exact) {
+    search_pairs(surface.graph, pairs, infinite, lengths);
+    return lengths;
+  }
+  const Vec3& h = surface.spacing;
+  const double voxel = std::cbrt(h[0] * h[1] * h[2]);
+  double searched = exact_radius * voxel;
+  search_pairs(surface.graph, pairs, searched, lengths);
+  ClusterLevel level = finest_level(surface);
+  for (double block = 2 * voxel;
+       std::find(lengths.begin(), lengths.end(), unknown) != lengths.end(); block *= 2) {
+    level = coarser_level(level);
+    search_level(level, pairs, searched, level_radius * block, lengths);
+    searched = level_radius * block;
+  }
+  return lengths;
+}
+
+}  // namespace
+
+EdgeSizes geodesic_sizes(const Sides& sides, const EdgeIndex& edges, const Surface& surface,
+                         const std::vector<std::uint32_t>& closest, GeodesicMode mode) {
+  const VertexPairs pairs = collect_pairs(sides, edges, surface, closest);
+  const std::vector<float> lengths = pair_lengths(surface, pairs, mode);
+  const auto& component = surface.component_of_vertex;
+  EdgeSizes sizes;
+  sizes.by_edge.resize(3 * std::size_t{sides.lattice.vertex_count()});
+  sizes.of_outside_half.resize(surface.points.size());
+  for_each_edge_end_pair(
+      sides, edges, closest, [&](std::uint32_t edge, Side side, std::uint32_t a, std::uint32_t b) {
+        const float size = a == b                         ? 0.0F
+                           : component[a] != component[b] ? infinite
+                                                          : lengths[pairs.find(a, b)];
+        if (side == Side::outside && edges.is_cut(edge))
+          sizes.of_outside_half[edges.vertex_on(edge)] = size;
+        else
+          sizes.by_edge[edge] = size;
+      });
+  return sizes;
+}
+
+}  // namespace isoloop
