@@ -1,0 +1,44 @@
+// What the engines need to know of a complex: cells, the pieces between them, and the rings of
+// pieces round interior edges. The grid models it, and a tetrahedral mesh can.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstdint>
+#include <vector>
+
+namespace isoloop {
+
+/// At most N items, in place.
+template <class T, std::size_t N>
+struct ShortList {
+  std::array<T, N> items{};
+  std::uint32_t count = 0;
+
+  void push_back(T item) { items[count++] = item; }
+  const T* begin() const { return items.data(); }
+  const T* end() const { return items.data() + count; }
+  T operator[](std::size_t i) const { return items[i]; }
+};
+
+/// One side of M as a complex of balls. Pieces, cells and edges carry numbers below the bounds;
+/// not every number below a bound need be in use.
+template <class C>
+concept Complex = requires(const C& complex, std::uint32_t piece, std::uint32_t edge) {
+  { complex.piece_bound() } -> std::convertible_to<std::uint32_t>;
+  { complex.cell_bound() } -> std::convertible_to<std::uint32_t>;
+  { complex.edge_bound() } -> std::convertible_to<std::uint32_t>;
+  /// Every piece, ascending; every interior edge, ascending.
+  { complex.pieces() } -> std::same_as<std::vector<std::uint32_t>>;
+  { complex.edges() } -> std::same_as<std::vector<std::uint32_t>>;
+  /// g of the piece: the largest of its edges off M.
+  { complex.size(piece) } -> std::same_as<float>;
+  /// The two cells that the piece parts.
+  { complex.cells(piece) } -> std::same_as<std::array<std::uint32_t, 2>>;
+  /// The interior edges on the piece's border.
+  { complex.edges_of(piece).begin() } -> std::convertible_to<const std::uint32_t*>;
+  /// The pieces round an interior edge.
+  { complex.ring(edge).begin() } -> std::convertible_to<const std::uint32_t*>;
+};
+
+}  // namespace isoloop

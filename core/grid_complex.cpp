@@ -1,0 +1,257 @@
+#include "core/grid_complex.h"
+
+#include <algorithm>
+
+#include <tbb/parallel_for.h>
+
+namespace isoloop {
+namespace {
+
+std::uint32_t position_in(const std::vector<std::uint32_t>& sorted, std::uint32_t value) {
+  return static_cast<std::uint32_t>(std::lower_bound(sorted.begin(), sorted.end(), value) -
+                                    sorted.begin());
+}
+
+/// Whether face number `face` has its far corner within the box.
+bool face_exists(const Lattice& lattice, const std::array<std::uint32_t, 3>& p, int axis) {
+  const auto [b, c] = cross_axes(axis);
+  return p[b] + 1 < lattice.dims[b] && p[c] + 1 < lattice.dims[c];
+}
+
+/// Collects, in ascending order, what visit(vertex, position, sink) emits for every vertex.
+template <class Visit>
+std::vector<std::uint32_t> gather(const Lattice& lattice, const Visit& visit) {
+  std::vector<std::vector<std::uint32_t>> layers(lattice.dims[2]);
+  tbb::parallel_for(std::uint32_t{0}, lattice.dims[2], [&](std::uint32_t z) {
+    std::uint32_t v = lattice.vertex(0, 0, z);
+    for (std::uint32_t y = 0; y < lattice.dims[1]; ++y)
+      for (std::uint32_t x = 0; x < lattice.dims[0]; ++x, ++v)
+        visit(v, std::array<std::uint32_t, 3>{x, y, z}, layers[z]);
+  });
+  std::size_t total = 0;
+  for (const auto& layer : layers) total += layer.size();
+  std::vector<std::uint32_t> all;
+  all.reserve(total);
+  for (auto& layer : layers) {
+    all.insert(all.end(), layer.begin(), layer.end());
+    layer = {};
+  }
+  return all;
+}
+
+}  // namespace
+
+GridComplex::GridComplex(const Sides& sides, const EdgeIndex& edges, const EdgeSizes& sizes,
+                         Side side)
+    : sides_(sides), edges_(edges), sizes_(sizes), side_(side) {
+  const std::uint8_t many =
+      side == Side::inside ? Sides::many_inside_cells : Sides::many_outside_cells;
+  const Lattice& lattice = sides.lattice;
+  split_faces_ = gather(lattice, [&](std::uint32_t v, const auto& p, auto& found) {
+    for (int a = 0; a < 3; ++a) {
+      const std::uint32_t face = 3 * v + static_cast<std::uint32_t>(a);
+      if ((sides.cubes[v] & Sides::has_ambiguous_face) != 0 && face_exists(lattice, p, a) &&
+          is_split(face, corners_on_side(face)))
+        found.push_back(face);
+    }
+  });
+  many_celled_ = gather(lattice, [&](std::uint32_t v, const auto&, auto& found) {
+    if ((sides.cubes[v] & many) != 0) found.push_back(v);
+  });
+  for (const std::uint32_t cube : many_celled_) {
+    first_extra_cell_.push_back(extra_cells_);
+    extra_cells_ += cut_at(sides, cube).cell_count[static_cast<int>(side)] - 1U;
+  }
+}
+
+std::uint32_t GridComplex::piece_bound() const {
+  return edge_bound() + static_cast<std::uint32_t>(split_faces_.size());
+}
+
+std::uint32_t GridComplex::cell_bound() const {
+  return sides_.lattice.vertex_count() + extra_cells_ + (side_ == Side::outside ? 1 : 0);
+}
+
+std::vector<std::uint32_t> GridComplex::pieces() const {
+  const Lattice& lattice = sides_.lattice;
+  std::vector<std::uint32_t> all =
+      gather(lattice, [&](std::uint32_t v, const auto& p, auto& found) {
+        for (int a = 0; a < 3; ++a) {
+          const std::uint32_t face = 3 * v + static_cast<std::uint32_t>(a);
+          if (face_exists(lattice, p, a) && corners_on_side(face) != 0) found.push_back(face);
+        }
+      });
+  for (std::uint32_t i = 0; i < split_faces_.size(); ++i) all.push_back(edge_bound() + i);
+  return all;
+}
+
+std::vector<std::uint32_t> GridComplex::edges() const {
+  const Lattice& lattice = sides_.lattice;
+  return gather(lattice, [&](std::uint32_t v, const auto& p, auto& found) {
+    for (std::uint32_t a = 0; a < 3; ++a)
+      if (p[a] + 1 < lattice.dims[a] &&
+          (sides_.is_on(side_, v) || sides_.is_on(side_, v + lattice.stride[a])))
+        found.push_back(3 * v + a);
+  });
+}
+
+bool GridComplex::on_border(std::uint32_t vertex) const {
+  return (sides_.cubes[vertex] & Sides::on_border) != 0;
+}
+
+std::array<std::uint32_t, 4> GridComplex::face_corners(std::uint32_t face) const {
+  const std::uint32_t v = face / 3;
+  const auto [b, c] = cross_axes(static_cast<int>(face % 3));
+  const std::uint32_t db = sides_.lattice.stride[b];
+  const std::uint32_t dc = sides_.lattice.stride[c];
+  return {v, v + db, v + db + dc, v + dc};
+}
+
+/// Edge i joins corners i and i + 1.
+std::array<std::uint32_t, 4> GridComplex::face_edges(std::uint32_t face) const {
+  const std::uint32_t v = face / 3;
+  const auto [b, c] = cross_axes(static_cast<int>(face % 3));
+  const auto ub = static_cast<std::uint32_t>(b);
+  const auto uc = static_cast<std::uint32_t>(c);
+  return {3 * v + ub, 3 * (v + sides_.lattice.stride[b]) + uc,
+          3 * (v + sides_.lattice.stride[c]) + ub, 3 * v + uc};
+}
+
+unsigned GridComplex::corners_on_side(std::uint32_t face) const {
+  const auto corners = face_corners(face);
+  unsigned bits = 0;
+  for (unsigned i = 0; i < 4; ++i) bits |= unsigned{sides_.inside[corners[i]]} << i;
+  return side_ == Side::inside ? bits : ~bits & 15U;
+}
+
+bool GridComplex::is_split(std::uint32_t face, unsigned on_side) const {
+  if (!is_ambiguous(on_side)) return false;
+  const bool joined = (sides_.cubes[face / 3] >> (face % 3) & Sides::lower_face_joined) != 0;
+  return joined != (side_ == Side::inside);
+}
+
+GridComplex::Piece GridComplex::describe(std::uint32_t piece) const {
+  const bool second = piece >= edge_bound();
+  const std::uint32_t face = second ? split_faces_[piece - edge_bound()] : piece;
+  const unsigned on_side = corners_on_side(face);
+  if (!is_split(face, on_side)) return {face, on_side, on_side};
+  const unsigned lowest = on_side & (~on_side + 1U);
+  return {face, second ? on_side ^ lowest : lowest, on_side};
+}
+
+std::uint32_t GridComplex::piece_at(std::uint32_t face, std::uint32_t corner) const {
+  if ((sides_.cubes[face / 3] & Sides::has_ambiguous_face) == 0) return face;
+  const unsigned on_side = corners_on_side(face);
+  if (!is_split(face, on_side)) return face;
+  const auto corners = face_corners(face);
+  const unsigned at = 1U << (std::find(corners.begin(), corners.end(), corner) - corners.begin());
+  if ((on_side & (~on_side + 1U)) == at) return face;
+  return edge_bound() + position_in(split_faces_, face);
+}
+
+std::uint32_t GridComplex::cell_at(std::uint32_t cube, std::uint32_t corner) const {
+  const std::uint8_t many =
+      side_ == Side::inside ? Sides::many_inside_cells : Sides::many_outside_cells;
+  if ((sides_.cubes[cube] & many) == 0) return cube;
+  unsigned c = 0;
+  std::uint32_t rest = corner - cube;
+  for (int a = 2; a >= 0; --a)
+    if (rest >= sides_.lattice.stride[a]) {
+      rest -= sides_.lattice.stride[a];
+      c |= 1U << a;
+    }
+  const unsigned number = cut_at(sides_, cube).cell_of_corner[c];
+  if (number == 0) return cube;
+  return sides_.lattice.vertex_count() + first_extra_cell_[position_in(many_celled_, cube)] +
+         number - 1;
+}
+
+float GridComplex::size(std::uint32_t piece) const {
+  float largest = 0.0F;
+  for (const std::uint32_t edge : edges_of(piece))
+    largest = std::max(largest, side_ == Side::outside && edges_.is_cut(edge)
+                                    ? sizes_.of_outside_half[edges_.vertex_on(edge)]
+                                    : sizes_.by_edge[edge]);
+  return largest;
+}
+
+std::array<std::uint32_t, 2> GridComplex::cells(std::uint32_t piece) const {
+  const Piece p = describe(piece);
+  const auto face_corner = face_corners(p.face);
+  unsigned i = 0;
+  while ((p.ring >> i & 1U) == 0) ++i;
+  const std::uint32_t v = p.face / 3;
+  const std::uint32_t axis = p.face % 3;
+  const std::uint32_t below = v - sides_.lattice.stride[axis];
+  if (!on_border(v)) return {cell_at(below, face_corner[i]), cell_at(v, face_corner[i])};
+  const std::uint32_t beyond = cell_bound() - 1;
+  const std::uint32_t at = sides_.lattice.position(v)[axis];
+  return {at == 0 ? beyond : cell_at(below, face_corner[i]),
+          at + 1 == sides_.lattice.dims[axis] ? beyond : cell_at(v, face_corner[i])};
+}
+
+ShortList<std::uint32_t, 4> GridComplex::edges_of(std::uint32_t piece) const {
+  const Piece p = describe(piece);
+  const auto around = face_edges(p.face);
+  ShortList<std::uint32_t, 4> list;
+  for (unsigned i = 0; i < 4; ++i)
+    if ((p.ring >> i & 1U) != 0 || (p.ring >> ((i + 1) & 3U) & 1U) != 0) list.push_back(around[i]);
+  return list;
+}
+
+ShortList<std::uint32_t, 4> GridComplex::ring(std::uint32_t edge) const {
+  const std::uint32_t v = edge / 3;
+  const int a = static_cast<int>(edge % 3);
+  const auto [b, c] = cross_axes(a);
+  const Lattice& lattice = sides_.lattice;
+  const std::uint32_t corner = sides_.is_on(side_, v) ? v : v + lattice.stride[a];
+  const auto ub = static_cast<std::uint32_t>(b);
+  const auto uc = static_cast<std::uint32_t>(c);
+  std::array<bool, 4> there{true, true, true, true};
+  if (on_border(v)) {
+    const auto p = lattice.position(v);
+    there = {p[b] + 1 < lattice.dims[b], p[c] + 1 < lattice.dims[c], p[b] > 0, p[c] > 0};
+  }
+  ShortList<std::uint32_t, 4> list;
+  if (there[0]) list.push_back(piece_at(3 * v + uc, corner));
+  if (there[1]) list.push_back(piece_at(3 * v + ub, corner));
+  if (there[2]) list.push_back(piece_at(3 * (v - lattice.stride[b]) + uc, corner));
+  if (there[3]) list.push_back(piece_at(3 * (v - lattice.stride[c]) + ub, corner));
+  return list;
+}
+
+GridComplex::CutRing GridComplex::cut_ring(std::uint32_t edge) const {
+  const std::uint32_t v = edge / 3;
+  const auto [b, c] = cross_axes(static_cast<int>(edge % 3));
+  const std::uint32_t db = sides_.lattice.stride[b];
+  const std::uint32_t dc = sides_.lattice.stride[c];
+  return {ring(edge).items, {v, v - db, v - db - dc, v - dc}};
+}
+
+ShortList<std::array<std::uint32_t, 2>, 2> GridComplex::segments(std::uint32_t piece) const {
+  const Piece p = describe(piece);
+  const unsigned inside = side_ == Side::inside ? p.on_side : ~p.on_side & 15U;
+  const bool joined = (sides_.cubes[p.face / 3] >> (p.face % 3) & Sides::lower_face_joined) != 0;
+  const FaceCut cut = face_cut(inside, joined);
+  const auto around = face_edges(p.face);
+  ShortList<std::array<std::uint32_t, 2>, 2> list;
+  for (int s = 0; s < cut.segment_count; ++s) {
+    const auto [from, to] = cut.segments[s];
+    // The end of a cut edge on this side: the corner that the segment's piece holds.
+    const unsigned corner = (p.on_side >> from & 1U) != 0 ? from : (from + 1U) & 3U;
+    if ((p.ring >> corner & 1U) != 0)
+      list.push_back({edges_.vertex_on(around[from]), edges_.vertex_on(around[to])});
+  }
+  return list;
+}
+
+ShortList<std::uint32_t, 4> GridComplex::corners(std::uint32_t piece) const {
+  const Piece p = describe(piece);
+  const auto corners = face_corners(p.face);
+  ShortList<std::uint32_t, 4> list;
+  for (unsigned i = 0; i < 4; ++i)
+    if ((p.ring >> i & 1U) != 0) list.push_back(corners[i]);
+  return list;
+}
+
+}  // namespace isoloop
