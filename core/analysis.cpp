@@ -1,0 +1,121 @@
+#include "core/analysis.h"
+
+#include <chrono>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <tbb/parallel_invoke.h>
+
+#include "core/certificate.h"
+#include "core/closest.h"
+#include "core/dual_pass.h"
+#include "core/edge_index.h"
+#include "core/errors.h"
+#include "core/grid_complex.h"
+#include "core/sides.h"
+
+namespace isoloop {
+namespace {
+
+/// Times the stages and tells of each as it starts.
+class StageClock {
+ public:
+  explicit StageClock(const Progress& progress) : progress_(progress) {}
+
+  template <class Work>
+  auto run(const char* stage, double share_done, double& seconds, const Work& work) {
+    if (progress_) progress_(stage, share_done);
+    const auto start = std::chrono::steady_clock::now();
+    auto result = work();
+    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result;
+  }
+
+ private:
+  const Progress& progress_;
+};
+
+/// Everything that depends on the sides of the voxels and the shape of M alone.
+struct Cut {
+  Sides sides;
+  EdgeIndex edges;
+  Surface surface;
+};
+
+Cut cut_volume(const AnyGridView& grid, const IsoLevel& level) {
+  Sides sides = classify(grid, level);
+  EdgeIndex edges(sides);
+  Surface surface = extract_surface(grid, level, sides, edges);
+  return {std::move(sides), std::move(edges), std::move(surface)};
+}
+
+struct Passes {
+  DualPass inside;
+  DualPass outside;
+};
+
+Passes run_passes(const GridComplex& inside, const GridComplex& outside, std::int64_t genus) {
+  Passes passes;
+  const auto solve = [genus](const GridComplex& complex, DualPass& pass, const char* name) {
+    pass = dual_pass(complex);
+    if (static_cast<std::int64_t>(pass.killing.size()) != genus)
+      throw SelfCheckFailed("the surface has genus " + std::to_string(genus) + ", but " +
+                            std::to_string(pass.killing.size()) + " generators survive " + name);
+    if (!labels_are_consistent(complex, pass))
+      throw SelfCheckFailed(std::string("the labels ") + name +
+                            " do not sum to zero round an edge");
+  };
+  tbb::parallel_invoke([&] { solve(inside, passes.inside, "inside"); },
+                       [&] { solve(outside, passes.outside, "outside"); });
+  return passes;
+}
+
+}  // namespace
+
+Analysis count_topology(const AnyGridView& grid, const IsoLevel& level,
+                        const AnalysisOptions& options) {
+  StageClock clock(options.progress);
+  Analysis analysis;
+  analysis.surface = clock.run("surface", 0.0, analysis.seconds.surface,
+                               [&] { return cut_volume(grid, level).surface; });
+  analysis.betti = betti_numbers(analysis.surface);
+  return analysis;
+}
+
+Analysis find_loops(const AnyGridView& grid, const IsoLevel& level,
+                    const AnalysisOptions& options) {
+  StageClock clock(options.progress);
+  Analysis analysis;
+  StageSeconds& seconds = analysis.seconds;
+  Cut cut = clock.run("surface", 0.0, seconds.surface, [&] { return cut_volume(grid, level); });
+  const Surface& surface = cut.surface;
+  analysis.betti = betti_numbers(surface);
+  if (surface.genus() > 0) {
+    const std::vector<std::uint32_t> closest = clock.run("closest", 0.05, seconds.closest, [&] {
+      return closest_surface_vertices(cut.sides, cut.edges, surface);
+    });
+    const EdgeSizes sizes = clock.run("sizes", 0.1, seconds.sizes, [&] {
+      return geodesic_sizes(cut.sides, cut.edges, surface, closest, options.geodesic);
+    });
+    const GridComplex inside(cut.sides, cut.edges, sizes, Side::inside);
+    const GridComplex outside(cut.sides, cut.edges, sizes, Side::outside);
+    const Passes passes = clock.run("pass", 0.5, seconds.pass,
+                                    [&] { return run_passes(inside, outside, surface.genus()); });
+    analysis.loops = clock.run("loops", 0.8, seconds.loops, [&] {
+      const SurfaceClasses classes =
+          surface_classes(surface, inside, passes.inside, outside, passes.outside);
+      std::vector<Loop> loops = loops_of_side(surface, classes, {inside, passes.inside}, closest);
+      std::vector<Loop> tunnels =
+          loops_of_side(surface, classes, {outside, passes.outside}, closest);
+      std::move(tunnels.begin(), tunnels.end(), std::back_inserter(loops));
+      certify(surface, classes, loops);
+      return loops;
+    });
+  }
+  analysis.surface = std::move(cut.surface);
+  return analysis;
+}
+
+}  // namespace isoloop

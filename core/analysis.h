@@ -1,0 +1,49 @@
+// The whole pipeline: volume -> M -> closest vertices -> sizes -> order -> labels -> loops.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "core/betti.h"
+#include "core/geodesic_size.h"
+#include "core/grid.h"
+#include "core/loops.h"
+#include "core/surface.h"
+
+namespace isoloop {
+
+/// Told at the start of each stage, and now and then within it. May be called from any thread.
+using Progress = std::function<void(const char* stage, double share_done)>;
+
+struct AnalysisOptions {
+  GeodesicMode geodesic = GeodesicMode::hierarchy;
+  Progress progress;  // may be empty
+};
+
+/// Wall-clock seconds of each stage.
+struct StageSeconds {
+  double surface = 0.0;
+  double closest = 0.0;
+  double sizes = 0.0;
+  double pass = 0.0;
+  double loops = 0.0;
+};
+
+struct Analysis {
+  Surface surface;
+  Betti betti;
+  std::vector<Loop> loops;  // handles by size, then tunnels by size; every one certified
+  StageSeconds seconds;
+};
+
+/// The surface and the counts alone: no sizes, no loops (`seconds` past surface stay 0).
+Analysis count_topology(const AnyGridView& grid, const IsoLevel& level,
+                        const AnalysisOptions& options = {});
+
+/// Finds and proves every handle loop and tunnel loop of the iso-surface. Deterministic: the same
+/// bytes for any number of threads. Throws InvalidInput (NaN in the grid), LimitExceeded,
+/// and SelfCheckFailed if any proof fails: no unproved loop is ever returned.
+Analysis find_loops(const AnyGridView& grid, const IsoLevel& level,
+                    const AnalysisOptions& options = {});
+
+}  // namespace isoloop

@@ -1,0 +1,144 @@
+#include "core/certificate.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include <tbb/parallel_for.h>
+
+#include "core/errors.h"
+
+namespace isoloop {
+namespace {
+
+constexpr auto no_turn = static_cast<std::uint32_t>(-1);
+
+/// For a vertex of M: the class picked up on the way from the first cube round its grid edge to
+/// each of the four, on both sides at once.
+struct Turn {
+  std::array<std::uint32_t, 4> cubes{};
+  std::array<std::uint32_t, 4> labels{};
+
+  std::uint32_t into(std::uint32_t cube) const {
+    return labels[static_cast<std::size_t>(std::find(cubes.begin(), cubes.end(), cube) -
+                                           cubes.begin())];
+  }
+};
+
+bool any_label(const GridComplex& complex, const DualPass& pass, std::uint32_t grid_edge) {
+  const auto ring = complex.ring(grid_edge);
+  return std::any_of(ring.begin(), ring.end(),
+                     [&](std::uint32_t piece) { return pass.labels[piece] != 0; });
+}
+
+class Turns {
+ public:
+  /// Numbers of the inside's labels stay; the outside's are shifted by `classes.inside_rank`.
+  Turns(const Surface& surface, const GridComplex& inside, const DualPass& inside_pass,
+        const GridComplex& outside, const DualPass& outside_pass, SurfaceClasses& classes)
+      : number_(surface.points.size(), no_turn) {
+    tbb::parallel_for(std::size_t{0}, number_.size(), [&](std::size_t v) {
+      const std::uint32_t edge = surface.grid_edges[v];
+      if (any_label(inside, inside_pass, edge) || any_label(outside, outside_pass, edge))
+        number_[v] = 0;
+    });
+    const std::vector<std::uint32_t> of_inside = import(inside_pass.pool, 0, classes.pool);
+    const std::vector<std::uint32_t> of_outside =
+        import(outside_pass.pool, classes.inside_rank, classes.pool);
+    for (std::size_t v = 0; v < number_.size(); ++v) {
+      if (number_[v] == no_turn) continue;
+      number_[v] = static_cast<std::uint32_t>(turns_.size());
+      const auto in = inside.cut_ring(surface.grid_edges[v]);
+      const auto out = outside.cut_ring(surface.grid_edges[v]);
+      Turn turn{in.cubes, {}};
+      for (std::size_t i = 1; i < 4; ++i) {
+        const std::uint32_t passed =
+            classes.pool.sum(of_inside[inside_pass.labels[in.pieces[i]]],
+                             of_outside[outside_pass.labels[out.pieces[i]]]);
+        turn.labels[i] = classes.pool.sum(turn.labels[i - 1], passed);
+      }
+      turns_.push_back(turn);
+    }
+  }
+
+  std::uint32_t into(std::uint32_t vertex, std::uint32_t cube) const {
+    return number_[vertex] == no_turn ? 0 : turns_[number_[vertex]].into(cube);
+  }
+
+ private:
+  static std::vector<std::uint32_t> import(const LabelPool& from, std::uint32_t shift,
+                                           LabelPool& to) {
+    std::vector<std::uint32_t> number(from.count());
+    for (std::uint32_t label = 0; label < from.count(); ++label) {
+      const auto generators = from.generators(label);
+      GeneratorSet shifted(generators.begin(), generators.end());
+      for (std::uint32_t& generator : shifted) generator += shift;
+      number[label] = to.intern(shifted);
+    }
+    return number;
+  }
+
+  std::vector<std::uint32_t> number_;  // by vertex of M: its place in turns_, or no_turn
+  std::vector<Turn> turns_;
+};
+
+constexpr auto no_edge = static_cast<std::uint32_t>(-1);
+
+std::uint32_t edge_between(const EdgeGraph& graph, std::uint32_t from, std::uint32_t to) {
+  std::uint32_t found = no_edge;
+  graph.for_each_out_edge(from, [&](std::uint32_t target, std::uint32_t edge) {
+    if (target == to) found = edge;
+  });
+  return found;
+}
+
+}  // namespace
+
+SurfaceClasses surface_classes(const Surface& surface, const GridComplex& inside,
+                               const DualPass& inside_pass, const GridComplex& outside,
+                               const DualPass& outside_pass) {
+  SurfaceClasses classes;
+  classes.inside_rank = static_cast<std::uint32_t>(inside_pass.killing.size());
+  classes.outside_rank = static_cast<std::uint32_t>(outside_pass.killing.size());
+  classes.of_edge.resize(surface.graph.lengths.size());
+  const Turns turns(surface, inside, inside_pass, outside, outside_pass, classes);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto& corners = surface.triangles[t];
+    std::array<std::uint32_t, 3> into{};
+    for (int i = 0; i < 3; ++i) into[i] = turns.into(corners[i], surface.triangle_cubes[t]);
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t label = classes.pool.sum(into[i], into[(i + 1) % 3]);
+      if (label == 0) continue;
+      classes.of_edge[edge_between(surface.graph, corners[i], corners[(i + 1) % 3])] = label;
+    }
+  }
+  return classes;
+}
+
+GeneratorSet class_of(const Surface& surface, const SurfaceClasses& classes,
+                      std::span<const Curve> curves) {
+  GeneratorSet sum;
+  for (const Curve& curve : curves)
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+      const std::uint32_t edge =
+          edge_between(surface.graph, curve[i], curve[(i + 1) % curve.size()]);
+      if (edge == no_edge)
+        throw SelfCheckFailed("a loop leaves the surface between its vertices " +
+                              std::to_string(i) + " and " + std::to_string(i + 1));
+      if (classes.of_edge[edge] != 0)
+        sum = sum_of(sum, classes.pool.generators(classes.of_edge[edge]));
+    }
+  return sum;
+}
+
+GeneratorSet inside_part(const SurfaceClasses& classes, std::span<const std::uint32_t> set) {
+  return {set.begin(), std::lower_bound(set.begin(), set.end(), classes.inside_rank)};
+}
+
+GeneratorSet outside_part(const SurfaceClasses& classes, std::span<const std::uint32_t> set) {
+  GeneratorSet part(std::lower_bound(set.begin(), set.end(), classes.inside_rank), set.end());
+  for (std::uint32_t& generator : part) generator -= classes.inside_rank;
+  return part;
+}
+
+}  // namespace isoloop

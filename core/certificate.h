@@ -1,0 +1,42 @@
+// The class of every walk on M in H1(I) and H1(O): what certifies a loop.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/dual_pass.h"
+#include "core/grid_complex.h"
+#include "core/label.h"
+#include "core/surface.h"
+
+namespace isoloop {
+
+/// Vertices of M; each is joined to the next, and the last to the first, by an edge of M.
+using Curve = std::vector<std::uint32_t>;
+
+/// A cocycle on M's edge graph: the values along a closed walk sum to its class in
+/// H1(I) + H1(O), which equals H1(M). Generators below inside_rank are those of H1(I) (numbered as
+/// in the inside's DualPass), those from inside_rank on are those of H1(O).
+struct SurfaceClasses {
+  std::uint32_t inside_rank = 0;
+  std::uint32_t outside_rank = 0;
+  LabelPool pool;
+  std::vector<std::uint32_t> of_edge;  // by edge number of the graph; numbers in pool
+};
+
+/// Pushes M's edges off M to either side. At a vertex of M a walk turns round a grid edge from one
+/// cube to another; the labels of the pieces that it passes sum to its class.
+SurfaceClasses surface_classes(const Surface& surface, const GridComplex& inside,
+                               const DualPass& inside_pass, const GridComplex& outside,
+                               const DualPass& outside_pass);
+
+/// Class of a cycle of closed curves. Throws SelfCheckFailed where a curve leaves M's edges.
+GeneratorSet class_of(const Surface& surface, const SurfaceClasses& classes,
+                      std::span<const Curve> curves);
+
+/// The part of a class in H1(I), and in H1(O) (numbered from 0 as in the outside's DualPass).
+GeneratorSet inside_part(const SurfaceClasses& classes, std::span<const std::uint32_t> set);
+GeneratorSet outside_part(const SurfaceClasses& classes, std::span<const std::uint32_t> set);
+
+}  // namespace isoloop

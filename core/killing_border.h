@@ -1,0 +1,36 @@
+// Where the surfaces that the labels span across handles and tunnels meet M.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/certificate.h"
+#include "core/dual_pass.h"
+#include "core/grid_complex.h"
+#include "core/surface.h"
+
+namespace isoloop {
+
+/// For every generator i: the edges of M, as vertex pairs, on the border of the surface made of the
+/// pieces whose label contains i. Round each vertex of M their number is even.
+struct KillingBorders {
+  std::vector<std::size_t> first;  // of each generator, and the end
+  std::vector<std::array<std::uint32_t, 2>> edges;
+
+  std::span<const std::array<std::uint32_t, 2>> of(std::uint32_t generator) const {
+    return {edges.data() + first[generator], first[generator + 1] - first[generator]};
+  }
+};
+
+KillingBorders killing_borders(const GridComplex& complex, const DualPass& pass);
+
+/// The edges of one border, strung into closed curves without repeated vertices.
+std::vector<Curve> closed_curves(std::span<const std::array<std::uint32_t, 2>> edges);
+
+/// Length of closed curves along M's edges, unit of the spacing.
+double length_of(const Surface& surface, std::span<const Curve> curves);
+
+}  // namespace isoloop

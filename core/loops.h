@@ -1,0 +1,54 @@
+// Handle and tunnel loops: one for each class of H1(M) that dies in I or in O.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/certificate.h"
+#include "core/dual_pass.h"
+#include "core/grid.h"
+#include "core/grid_complex.h"
+#include "core/surface.h"
+
+namespace isoloop {
+
+/// A handle loop bounds in I (cut there to remove the handle), a tunnel loop in O (fill there).
+enum class LoopKind { handle, tunnel };
+
+/// What was proved of a loop: whether its class vanishes in H1(I) and in H1(O).
+struct LoopCertificate {
+  bool trivial_inside = false;
+  bool trivial_outside = false;
+};
+
+/// A cycle on M, maybe of several closed curves.
+struct Loop {
+  LoopKind kind = LoopKind::handle;
+  int id = 0;           // 1, 2, ... within its kind, by size
+  double size = 0.0;    // g(t), unit of the spacing; infinite if t joins two components of M
+  double length = 0.0;  // of all curves, along edges of M; unit of the spacing
+  std::uint32_t component = 0;  // of M, of the first curve
+  Vec3 center_index{};          // mean of the points, weighted by arc length; voxel indices
+  std::vector<Curve> curves;
+  LoopCertificate certificate;
+};
+
+/// One side of M as far as the passes have brought it.
+struct SolvedSide {
+  const GridComplex& complex;
+  const DualPass& pass;
+};
+
+/// The loops that bound on `side`, one for each killing piece, by size: loop i is born on M, is
+/// trivial on this side from killing piece i on and not before. `closest`: by lattice vertex.
+/// Close to the shortest such loop near the piece; where no single closed curve will do (it takes
+/// two on nested tori), the border of the surface that the labels span, each curve tightened.
+/// Throws SelfCheckFailed where those borders do not prove what they should.
+std::vector<Loop> loops_of_side(const Surface& surface, const SurfaceClasses& classes,
+                                const SolvedSide& side, const std::vector<std::uint32_t>& closest);
+
+/// Proves the loops of both sides from scratch: closed, on M, trivial on their own side only, and
+/// independent, genus(M) of each kind. Fills in the certificates. Throws SelfCheckFailed.
+void certify(const Surface& surface, const SurfaceClasses& classes, std::vector<Loop>& loops);
+
+}  // namespace isoloop
