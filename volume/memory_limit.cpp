@@ -1,0 +1,78 @@
+#include "volume/memory_limit.h"
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+
+#include "core/errors.h"
+
+namespace isoloop {
+namespace {
+
+constexpr std::uint64_t largest = std::numeric_limits<std::uint64_t>::max();
+
+std::string bytes_text(std::uint64_t bytes) {
+  constexpr std::array<const char*, 5> units{"bytes", "KiB", "MiB", "GiB", "TiB"};
+  double amount = static_cast<double>(bytes);
+  std::size_t unit = 0;
+  for (; amount >= 1024.0 && unit + 1 < units.size(); ++unit) amount /= 1024.0;
+  std::array<char, 48> text{};
+  std::snprintf(text.data(), text.size(), unit == 0 ? "%.0f %s" : "%.1f %s", amount, units[unit]);
+  return text.data();
+}
+
+}  // namespace
+
+std::uint64_t checked_voxel_count(const Index3& dims, const std::string& what) {
+  return checked_voxel_bytes(dims, 1, what);
+}
+
+std::uint64_t checked_voxel_bytes(const Index3& dims, std::uint64_t bytes_per_voxel,
+                                  const std::string& what) {
+  // Stream sizes and indices are signed 64 bit.
+  constexpr auto most = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+  std::uint64_t bytes = bytes_per_voxel;
+  for (const std::int64_t dim : dims) {
+    if (dim < 1) {
+      throw InvalidArgument(what + ": dimensions " + dims_text(dims) +
+                            " make no volume; each must be at least 1");
+    }
+    if (static_cast<std::uint64_t>(dim) > most / bytes) {
+      throw LimitExceeded(what + ": " + dims_text(dims) +
+                          " voxels are more than can be counted; check the dimensions");
+    }
+    bytes *= static_cast<std::uint64_t>(dim);
+  }
+  return bytes;
+}
+
+std::uint64_t default_voxel_limit() {
+  std::ifstream file("/proc/meminfo");
+  std::string word;
+  while (file >> word) {
+    if (word != "MemAvailable:") continue;
+    std::uint64_t kibibytes = 0;
+    // 1024 * 0.8, rounded down
+    if (file >> kibibytes && kibibytes < largest / 819) return kibibytes * 819;
+  }
+  return largest;
+}
+
+void check_voxel_memory(const Index3& dims, std::uint64_t bytes_per_voxel, std::uint64_t max_bytes,
+                        const std::string& what) {
+  const std::uint64_t bytes = checked_voxel_bytes(dims, bytes_per_voxel, what);
+  const std::uint64_t limit = max_bytes == 0 ? default_voxel_limit() : max_bytes;
+  if (bytes <= limit) return;
+  throw LimitExceeded(what + ": " + dims_text(dims) + " voxels of " +
+                      std::to_string(bytes_per_voxel) + " bytes need " + bytes_text(bytes) +
+                      ", and the limit is " + bytes_text(limit) +
+                      "; raise --max-memory or take a smaller volume");
+}
+
+std::string dims_text(const Index3& dims) {
+  return std::to_string(dims[0]) + " x " + std::to_string(dims[1]) + " x " +
+         std::to_string(dims[2]);
+}
+
+}  // namespace isoloop

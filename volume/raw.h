@@ -1,0 +1,44 @@
+// Raw volumes: voxels and nothing else, so size and type come from the name or the caller.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <iosfwd>
+#include <optional>
+
+#include "volume/volume.h"
+
+namespace isoloop {
+
+enum class Endian { little, big };
+
+struct RawOptions {
+  std::optional<Index3> dims{};     // voxels along each axis; unset: as the file's name states
+  std::optional<VoxelType> type{};  // unset: as the file's name states
+  Endian endian = Endian::little;
+  std::uint64_t skip = 0;       // bytes before the first voxel
+  Vec3 spacing{1.0, 1.0, 1.0};  // length per voxel along each axis
+};
+
+struct RawLayout {
+  Index3 dims{};  // voxels along each axis
+  VoxelType type = VoxelType::uint8;
+};
+
+/// What a name such as engine_256x256x128_uint8.raw states: the last "_XxYxZ_TYPE" in it.
+/// Nothing if it states no such thing.
+std::optional<RawLayout> layout_from_name(const std::filesystem::path& path);
+
+/// Reads a file of exactly options.skip + voxels * bytes per voxel bytes, first axis fastest. The
+/// volume's frame is `index`. Explicit options win over the name.
+/// Throws InvalidArgument (layout unknown, dimensions below 1, spacing not positive),
+/// LimitExceeded (voxels take more than max_bytes; 0: default_voxel_limit()), and InvalidInput (a
+/// file that is shorter or longer, or cannot be read). Sizes are checked before memory is asked
+/// for. NaN passes.
+Volume read_raw(const std::filesystem::path& path, const RawOptions& options,
+                std::uint64_t max_bytes = 0);
+
+/// Writes the voxels, first axis fastest, little-endian. A failure shows in the stream's state.
+void write_raw(std::ostream& out, const Volume& volume);
+
+}  // namespace isoloop

@@ -1,0 +1,83 @@
+#include "volume/read.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include "core/errors.h"
+#include "volume/file_kind.h"
+#include "volume/vdb.h"
+
+namespace isoloop {
+namespace {
+
+void check_is_file(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::not_found) {
+    throw InvalidInput(path.string() + ": no such file; check the path");
+  }
+  if (error) throw InvalidInput(path.string() + ": cannot be read: " + error.message());
+  if (std::filesystem::is_directory(status)) {
+    throw InvalidInput(path.string() + ": is a folder; give a " + supported_extensions() + " file");
+  }
+  if (!std::filesystem::is_regular_file(status)) {
+    throw InvalidInput(path.string() + ": is not a regular file; copy its content to one");
+  }
+}
+
+Volume read_by_kind(const std::filesystem::path& path, const ReadOptions& options) {
+  const std::optional<FileKind> kind = file_kind(path);
+  if (!kind) {
+    throw InvalidInput(path.string() + ": unknown kind of file; isoloop reads " +
+                       supported_extensions());
+  }
+  return *kind == FileKind::raw ? read_raw(path, options.raw, options.max_bytes)
+                                : read_vdb(path, options.grid, options.max_bytes);
+}
+
+template <class T>
+void replace_nan(std::vector<T>& values, double nan_as, const std::string& what) {
+  const double most = std::numeric_limits<T>::max();
+  if (std::isnan(nan_as) || (std::isfinite(nan_as) && std::abs(nan_as) > most)) {
+    throw InvalidArgument(what + ": --nan-as must be a number that its voxels can hold");
+  }
+  std::replace_if(
+      values.begin(), values.end(), [](T value) { return std::isnan(value); },
+      static_cast<T>(nan_as));
+}
+
+template <class T>
+void refuse_nan(const std::vector<T>& values, const Index3& dims, const std::string& what) {
+  const auto is_nan = [](T value) { return std::isnan(value); };
+  const auto first = std::find_if(values.begin(), values.end(), is_nan);
+  if (first == values.end()) return;
+  const std::int64_t at = first - values.begin();
+  const auto text = [](std::int64_t number) { return std::to_string(number); };
+  throw InvalidInput(what + ": voxel (" + text(at % dims[0]) + ", " + text(at / dims[0] % dims[1]) +
+                     ", " + text(at / (dims[0] * dims[1])) + ") is NaN, one of " +
+                     text(std::count_if(first, values.end(), is_nan)) +
+                     "; say with --nan-as VALUE what NaN stands for");
+}
+
+}  // namespace
+
+Volume read_volume(const std::filesystem::path& path, const ReadOptions& options) {
+  check_is_file(path);
+  Volume volume = read_by_kind(path, options);
+  std::visit(
+      [&]<class T>(std::vector<T>& values) {
+        if constexpr (std::is_floating_point_v<T>) {
+          if (options.nan_as) {
+            replace_nan(values, *options.nan_as, path.string());
+          } else {
+            refuse_nan(values, volume.dims, path.string());
+          }
+        }
+      },
+      volume.values);
+  return volume;
+}
+
+}  // namespace isoloop

@@ -1,0 +1,28 @@
+// Volumes from files, in any format that isoloop reads.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "volume/raw.h"
+#include "volume/volume.h"
+
+namespace isoloop {
+
+struct ReadOptions {
+  RawOptions raw{};                // for .raw files
+  std::string grid{};              // grid of a .vdb file, see read_vdb; empty: the only scalar one
+  std::optional<double> nan_as{};  // takes the place of NaN, in voxel values; unset: NaN is refused
+  std::uint64_t max_bytes = 0;     // most bytes of voxels; 0: 80 % of the available memory
+};
+
+/// Reads a .raw or .vdb file; see read_raw and read_vdb for shape and frame. The result holds no
+/// NaN.
+/// Throws InvalidArgument (options that do not fit the file), LimitExceeded (more voxels than
+/// max_bytes allows; before they are asked for), and InvalidInput (a file that is missing, of
+/// another kind, damaged, or that holds NaN while nan_as is unset).
+Volume read_volume(const std::filesystem::path& path, const ReadOptions& options = {});
+
+}  // namespace isoloop

@@ -1,0 +1,84 @@
+#include "volume/volume.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <type_traits>
+
+namespace isoloop {
+namespace {
+
+struct TypeWords {
+  std::string_view name;
+  std::string_view short_name;
+  std::uint64_t bytes;
+};
+
+constexpr std::array<TypeWords, 8> type_words{{{"uint8", "u8", 1},
+                                               {"int8", "i8", 1},
+                                               {"uint16", "u16", 2},
+                                               {"int16", "i16", 2},
+                                               {"uint32", "u32", 4},
+                                               {"int32", "i32", 4},
+                                               {"float32", "f32", 4},
+                                               {"float64", "f64", 8}}};
+static_assert(std::variant_size_v<VoxelArray> == type_words.size());
+
+const TypeWords& words_of(VoxelType type) { return type_words.at(static_cast<std::size_t>(type)); }
+
+}  // namespace
+
+AnyGridView view(const Volume& volume) {
+  return std::visit(
+      [&]<class T>(const std::vector<T>& values) -> AnyGridView {
+        return GridView<T>{values, volume.dims, volume.spacing};
+      },
+      volume.values);
+}
+
+Vec3 to_world(const Volume& volume, const Vec3& index) {
+  Vec3 world = volume.origin;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double length = index[axis] * volume.spacing[axis];
+    for (std::size_t c = 0; c < 3; ++c) world[c] += length * volume.direction[axis][c];
+  }
+  return world;
+}
+
+VoxelType voxel_type(const VoxelArray& values) { return static_cast<VoxelType>(values.index()); }
+
+std::uint64_t bytes_per_voxel(VoxelType type) { return words_of(type).bytes; }
+
+std::string type_name(VoxelType type) { return std::string(words_of(type).name); }
+
+std::string type_name(const VoxelArray& values) { return type_name(voxel_type(values)); }
+
+std::optional<VoxelType> parse_voxel_type(std::string_view name) {
+  for (std::size_t i = 0; i < type_words.size(); ++i) {
+    if (name == type_words[i].name || name == type_words[i].short_name) {
+      return static_cast<VoxelType>(i);
+    }
+  }
+  return std::nullopt;
+}
+
+ValueRange value_range(const Volume& volume) {
+  return std::visit(
+      []<class T>(const std::vector<T>& values) {
+        bool found = false;
+        T low{};
+        T high{};
+        for (const T value : values) {
+          if constexpr (std::is_floating_point_v<T>) {
+            if (std::isnan(value)) continue;
+          }
+          low = found ? std::min(low, value) : value;
+          high = found ? std::max(high, value) : value;
+          found = true;
+        }
+        return ValueRange{static_cast<double>(low), static_cast<double>(high)};
+      },
+      volume.values);
+}
+
+}  // namespace isoloop

@@ -1,0 +1,66 @@
+// A volume in memory: voxels in their stored type, and where they lie in the world.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/grid.h"
+
+namespace isoloop {
+
+/// Voxel values, first axis fastest, one alternative for each type of AnyGridView, in its order.
+using VoxelArray =
+    std::variant<std::vector<std::uint8_t>, std::vector<std::int8_t>, std::vector<std::uint16_t>,
+                 std::vector<std::int16_t>, std::vector<std::uint32_t>, std::vector<std::int32_t>,
+                 std::vector<float>, std::vector<double>>;
+
+/// Names of the alternatives of VoxelArray, in its order.
+enum class VoxelType { uint8, int8, uint16, int16, uint32, int32, float32, float64 };
+
+/// What the world coordinates mean. `index`: the file has no frame, world = index * spacing.
+enum class Frame { index, world, lps, ras };
+
+struct Volume {
+  VoxelArray values{};
+  Index3 dims{};                // voxels along each axis, each at least 1
+  Vec3 spacing{1.0, 1.0, 1.0};  // length per voxel along each index axis
+  Vec3 origin{0.0, 0.0, 0.0};   // world position of the centre of voxel (0, 0, 0)
+  // direction[a]: unit world vector along index axis a
+  std::array<Vec3, 3> direction{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+  Frame frame = Frame::index;
+  bool level_set = false;  // a signed distance: inside is below, iso defaults to 0
+  std::string name{};      // of the grid within the file; empty where files hold one
+};
+
+/// The voxels as core/ sees them. Valid while `volume` lives and keeps its values.
+AnyGridView view(const Volume& volume);
+
+/// World position of a point given in (fractional) voxel indices.
+Vec3 to_world(const Volume& volume, const Vec3& index);
+
+/// The alternative that `values` holds.
+VoxelType voxel_type(const VoxelArray& values);
+
+/// 1, 2, 4 or 8.
+std::uint64_t bytes_per_voxel(VoxelType type);
+
+/// "uint8", "float32", …: the name of the stored voxel type.
+std::string type_name(VoxelType type);
+std::string type_name(const VoxelArray& values);
+
+/// Reads "uint8" or "u8", "float32" or "f32", … ; nothing if `name` is none of them.
+std::optional<VoxelType> parse_voxel_type(std::string_view name);
+
+struct ValueRange {
+  double min = 0.0;  // unit of the voxel values
+  double max = 0.0;
+};
+
+/// Smallest and largest voxel value; NaN is passed over. {0, 0} if no value is left.
+ValueRange value_range(const Volume& volume);
+
+}  // namespace isoloop
