@@ -1,0 +1,61 @@
+#include "tools/count_command.h"
+
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "tools/output_files.h"
+#include "tools/progress.h"
+#include "tools/read_run.h"
+#include "tools/report_json.h"
+#include "tools/report_table.h"
+
+namespace isoloop {
+namespace {
+
+struct CountFlags {
+  VolumeFlags volume;
+  LevelFlags level;
+  std::string json;  // file, "-" or empty
+};
+
+void count(const CountFlags& flags) {
+  const auto start = std::chrono::steady_clock::now();
+  OutputFiles outputs(flags.volume.file);
+  outputs.add("--json", flags.json, write_json);
+  ProgressLine progress(std::cerr, {.enabled = stderr_is_terminal()});
+  RunResult run = read_run(flags.volume, flags.level);
+  run.with_loops = false;
+  run.analysis = count_topology(view(run.volume), run.level, {.progress = progress.callback()});
+  check_counts(run.analysis);
+  run.cost.total_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  run.cost.peak_bytes = peak_resident_bytes();
+  progress.clear();
+  outputs.write(run);
+  if (!outputs.uses_stdout()) write_table(std::cout, run);
+  finish_stdout();
+}
+
+}  // namespace
+
+void add_count_command(CLI::App& app) {
+  CLI::App& command =
+      *app.add_subcommand("count", "count components, tunnels and cavities, without loops");
+  auto flags = std::make_shared<CountFlags>();
+  add_volume_flags(command, flags->volume);
+  add_level_flags(command, flags->level);
+  command.add_option("--json", flags->json, "write the counts as JSON; - is standard output")
+      ->type_name("FILE|-");
+  command.footer(
+      "Examples:\n"
+      "  isoloop count engine_256x256x128_uint8.raw --iso 70\n"
+      "  isoloop count sphere.vdb --json counts.json\n"
+      "  isoloop count scan.raw --dims 512 512 300 --type i16 --iso 400 --json -");
+  command.callback([flags] { count(*flags); });
+}
+
+}  // namespace isoloop

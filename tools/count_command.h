@@ -1,0 +1,14 @@
+// The subcommand `isoloop count`.
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace isoloop {
+
+/// Adds the subcommand; parsing it counts components, tunnels and cavities of an iso-surface.
+/// Throws the errors of core/errors.h while it runs; then nothing has been written.
+void add_count_command(CLI::App& app);
+
+}  // namespace isoloop

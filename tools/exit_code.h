@@ -1,0 +1,26 @@
+// The one place that gives exit codes their meaning.
+#pragma once
+
+#include <exception>
+#include <string>
+
+namespace isoloop {
+
+enum class ExitCode {
+  done = 0,
+  usage = 2,              // the command line makes no sense, by itself or for this input
+  invalid_input = 3,      // a file that cannot be read, must not be trusted or cannot be written
+  limit_exceeded = 4,     // more memory than allowed or there is
+  self_check_failed = 5,  // a result that contradicts another one, or a defect of isoloop
+};
+
+/// How a run that threw ends.
+struct Failure {
+  ExitCode code = ExitCode::self_check_failed;
+  std::string sentence;  // one line without "isoloop: " and without a full stop
+};
+
+/// The end of a run that threw `error`, which must not be null.
+Failure failure_of(const std::exception_ptr& error);
+
+}  // namespace isoloop

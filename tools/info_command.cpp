@@ -1,0 +1,60 @@
+#include "tools/info_command.h"
+
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "tools/input_flags.h"
+#include "tools/number_text.h"
+#include "tools/output_files.h"
+#include "tools/report_table.h"
+#include "volume/memory_limit.h"
+
+namespace isoloop {
+namespace {
+
+std::string vector_text(const Vec3& v) {
+  return shortest_text(v[0]) + " " + shortest_text(v[1]) + " " + shortest_text(v[2]);
+}
+
+void write_info(std::ostream& out, const std::string& file, const Volume& volume) {
+  const ValueRange range = value_range(volume);
+  const std::uint64_t voxels = checked_voxel_count(volume.dims, file);
+  out << "file       " << file << '\n';
+  if (!volume.name.empty()) out << "grid       " << volume.name << '\n';
+  out << "dims       " << dims_text(volume.dims) << "  (" << voxels << " voxels, "
+      << bytes_text(voxels * bytes_per_voxel(voxel_type(volume.values))) << ")\n"
+      << "type       " << type_name(volume.values) << '\n'
+      << "values     " << shortest_text(range.min) << " to " << shortest_text(range.max) << '\n'
+      << "spacing    " << vector_text(volume.spacing) << '\n'
+      << "origin     " << vector_text(volume.origin) << '\n'
+      << "direction  " << vector_text(volume.direction[0]) << ", "
+      << vector_text(volume.direction[1]) << ", " << vector_text(volume.direction[2]) << '\n'
+      << "frame      " << frame_text(volume.frame) << '\n'
+      << "level set  "
+      << (volume.level_set ? "yes: --iso 0 --inside below unless stated otherwise"
+                           : "no: --iso must be stated, --inside is above unless stated otherwise")
+      << '\n';
+}
+
+}  // namespace
+
+void add_info_command(CLI::App& app) {
+  CLI::App& command = *app.add_subcommand("info", "print what a volume is: size, type, values");
+  auto flags = std::make_shared<VolumeFlags>();
+  add_volume_flags(command, *flags);
+  command.footer(
+      "Examples:\n"
+      "  isoloop info engine_256x256x128_uint8.raw\n"
+      "  isoloop info scan.raw --dims 512 512 300 --type i16 --spacing 0.4 0.4 0.8\n"
+      "  isoloop info cloud.vdb --grid density");
+  command.callback([flags] {
+    const Volume volume = read_volume(flags->file, read_options(*flags));
+    write_info(std::cout, flags->file, volume);
+    finish_stdout();
+  });
+}
+
+}  // namespace isoloop

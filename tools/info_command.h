@@ -1,0 +1,14 @@
+// The subcommand `isoloop info`.
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace isoloop {
+
+/// Adds the subcommand; parsing it reads a volume and prints what it is to standard output.
+/// Throws InvalidArgument, InvalidInput and LimitExceeded while it runs.
+void add_info_command(CLI::App& app);
+
+}  // namespace isoloop

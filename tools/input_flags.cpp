@@ -1,0 +1,207 @@
+#include "tools/input_flags.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+
+#include "core/errors.h"
+#include "tools/number_text.h"
+
+namespace isoloop {
+namespace {
+
+template <class Number>
+std::optional<Number> parse_number(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  Number number{};
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  if (text.empty() || error != std::errc() || rest != end) return std::nullopt;
+  return number;
+}
+
+template <class Number>
+std::vector<Number> parse_list(std::string_view text, const std::string& complaint) {
+  constexpr std::string_view separators = " ,xX\t";
+  std::vector<Number> numbers;
+  while (true) {
+    const std::size_t start = text.find_first_not_of(separators);
+    if (start == std::string_view::npos) return numbers;
+    text.remove_prefix(start);
+    const std::string_view word = text.substr(0, text.find_first_of(separators));
+    const std::optional<Number> number = parse_number<Number>(word);
+    if (!number) throw InvalidArgument(complaint);
+    numbers.push_back(*number);
+    text.remove_prefix(word.size());
+  }
+}
+
+// How many numbers may follow a flag.
+std::size_t numbers_after(std::string_view flag) {
+  constexpr std::array<std::pair<std::string_view, std::size_t>, 6> counts{{{"--dims", 3},
+                                                                            {"--spacing", 3},
+                                                                            {"--iso", 1},
+                                                                            {"--nan-as", 1},
+                                                                            {"--min-size", 1},
+                                                                            {"--max-size", 1}}};
+  for (const auto& [name, count] : counts) {
+    if (flag == name) return count;
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
+  command.add_option("FILE", flags.file, "volume to read: .vdb, .raw")->required();
+  command.add_option("--dims", flags.dims, "voxels along x, y and z of a raw file")
+      ->type_name("X Y Z");
+  command
+      .add_option("--type", flags.type,
+                  "voxel type of a raw file: u8 i8 u16 i16 u32 i32 f32 f64, or uint8 ... float64")
+      ->type_name("TYPE");
+  command.add_option("--endian", flags.endian, "byte order of a raw file")
+      ->check(CLI::IsMember({"little", "big"}))
+      ->type_name("little|big")
+      ->capture_default_str();
+  command.add_option("--skip", flags.skip, "bytes before the first voxel of a raw file")
+      ->type_name("BYTES");
+  command
+      .add_option("--spacing", flags.spacing,
+                  "length per voxel of a raw file: one number, or one for each axis (default 1)")
+      ->type_name("S | X Y Z");
+  command.add_option("--grid", flags.grid, "name of the grid in a .vdb file")->type_name("NAME");
+  command
+      .add_option("--nan-as", flags.nan_as, "read NaN voxels as this value; else they are refused")
+      ->type_name("VALUE");
+  command
+      .add_option("--max-memory", flags.max_memory,
+                  "give up, exit code 4, rather than use more, for example 4G")
+      ->type_name("SIZE");
+}
+
+void add_level_flags(CLI::App& command, LevelFlags& flags) {
+  command
+      .add_option("--iso", flags.iso,
+                  "value of the iso-surface; a level set in a .vdb file has 0 by default")
+      ->type_name("VALUE");
+  command
+      .add_option(
+          "--inside", flags.inside,
+          "which values are inside: above is f >= iso (default), below is f <= iso (default "
+          "for a level set)")
+      ->check(CLI::IsMember({"above", "below"}))
+      ->type_name("above|below");
+}
+
+ReadOptions read_options(const VolumeFlags& flags) {
+  ReadOptions options;
+  if (!flags.dims.empty()) options.raw.dims = parse_dims(flags.dims);
+  if (!flags.type.empty()) {
+    options.raw.type = parse_voxel_type(flags.type);
+    if (!options.raw.type) {
+      throw InvalidArgument("--type " + flags.type +
+                            " is no voxel type; one of u8 i8 u16 i16 u32 i32 f32 f64 is");
+    }
+  }
+  options.raw.endian = flags.endian == "big" ? Endian::big : Endian::little;
+  options.raw.skip = flags.skip;
+  if (!flags.spacing.empty()) options.raw.spacing = parse_spacing(flags.spacing);
+  options.grid = flags.grid;
+  options.nan_as = flags.nan_as;
+  if (flags.nan_as && std::isnan(*flags.nan_as)) {
+    throw InvalidArgument("--nan-as wants a number to stand in for NaN");
+  }
+  if (!flags.max_memory.empty()) options.max_bytes = parse_bytes(flags.max_memory);
+  return options;
+}
+
+IsoLevel iso_level(const LevelFlags& flags, const Volume& volume) {
+  IsoLevel level;
+  if (flags.iso) {
+    level.iso = *flags.iso;
+  } else if (!volume.level_set) {
+    const ValueRange range = value_range(volume);
+    throw InvalidArgument("--iso is required: the file is no level set; its values run from " +
+                          shortest_text(range.min) + " to " + shortest_text(range.max));
+  }
+  if (!std::isfinite(level.iso)) throw InvalidArgument("--iso must be a finite number");
+  const bool below = flags.inside.empty() ? volume.level_set : flags.inside == "below";
+  level.inside = below ? InsideRule::below : InsideRule::above;
+  return level;
+}
+
+Index3 parse_dims(std::string_view text) {
+  const std::string complaint =
+      "--dims " + std::string(text) + " does not state three voxel counts, as in --dims 64 64 32";
+  const std::vector<std::int64_t> dims = parse_list<std::int64_t>(text, complaint);
+  const bool positive = std::all_of(dims.begin(), dims.end(), [](std::int64_t n) { return n > 0; });
+  if (dims.size() != 3 || !positive) throw InvalidArgument(complaint);
+  return {dims[0], dims[1], dims[2]};
+}
+
+Vec3 parse_spacing(std::string_view text) {
+  const std::string complaint = "--spacing " + std::string(text) +
+                                " does not state one or three positive lengths, as in "
+                                "--spacing 0.5 0.5 1.2";
+  const std::vector<double> lengths = parse_list<double>(text, complaint);
+  const bool positive = std::all_of(lengths.begin(), lengths.end(),
+                                    [](double s) { return s > 0.0 && std::isfinite(s); });
+  if (!positive) throw InvalidArgument(complaint);
+  if (lengths.size() == 1) return {lengths[0], lengths[0], lengths[0]};
+  if (lengths.size() != 3) throw InvalidArgument(complaint);
+  return {lengths[0], lengths[1], lengths[2]};
+}
+
+std::uint64_t parse_bytes(std::string_view text) {
+  const std::string complaint =
+      "--max-memory " + std::string(text) + " is no size, as 512M and 4G are";
+  constexpr std::string_view units = "KMGT";
+  std::string_view digits = text;
+  double factor = 1.0;
+  if (digits.ends_with("iB")) {
+    digits.remove_suffix(2);
+  } else if (digits.ends_with('B')) {
+    digits.remove_suffix(1);
+  }
+  if (!digits.empty()) {
+    const char letter = digits.back() == 'k' ? 'K' : digits.back();
+    if (const std::size_t unit = units.find(letter); unit != std::string_view::npos) {
+      factor = std::pow(1024.0, static_cast<double>(unit + 1));
+      digits.remove_suffix(1);
+    }
+  }
+  const std::optional<double> amount = parse_number<double>(digits);
+  constexpr double most = 9e18;
+  if (!amount || !(*amount > 0.0) || *amount * factor < 1.0 || *amount * factor > most) {
+    throw InvalidArgument(complaint);
+  }
+  return static_cast<std::uint64_t>(*amount * factor);
+}
+
+std::vector<std::string> tie_numbers_to_flags(const std::vector<std::string>& arguments) {
+  std::vector<std::string> tied;
+  for (std::size_t i = 0; i < arguments.size();) {
+    if (arguments[i] == "--") {
+      tied.insert(tied.end(), arguments.begin() + static_cast<std::ptrdiff_t>(i), arguments.end());
+      break;
+    }
+    const std::size_t most = numbers_after(arguments[i]);
+    std::string joined = arguments[i++];
+    if (most > 0 && (i == arguments.size() || arguments[i].starts_with("--"))) {
+      throw InvalidArgument(joined + " wants a number after it");
+    }
+    for (std::size_t taken = 0; taken < most && i < arguments.size(); ++taken, ++i) {
+      if (!parse_number<double>(arguments[i])) break;
+      joined += (taken == 0 ? '=' : ' ') + arguments[i];
+    }
+    tied.push_back(std::move(joined));
+  }
+  return tied;
+}
+
+}  // namespace isoloop

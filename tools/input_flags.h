@@ -1,0 +1,66 @@
+// The flags that say what to read and where the solid's border runs: the same in every subcommand.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/grid.h"
+#include "volume/read.h"
+
+namespace CLI {
+class App;
+}
+
+namespace isoloop {
+
+/// What and how to read, as typed.
+struct VolumeFlags {
+  std::string file;
+  std::string dims;  // "64 64 32" or "64x64x32" voxels; empty: not given
+  std::string type;  // of the voxels, "u8" to "f64"; empty: not given
+  std::string endian = "little";
+  std::uint64_t skip = 0;        // bytes before the first voxel
+  std::string spacing;           // one length per voxel, or one for each axis; empty: 1
+  std::string grid;              // name of the grid in a .vdb file; empty: the only one
+  std::optional<double> nan_as;  // the value that takes the place of NaN
+  std::string max_memory;        // "4G"; empty: what the machine can spare
+};
+
+/// Where the solid's border runs, as typed.
+struct LevelFlags {
+  std::optional<double> iso;  // unit of the voxel values
+  std::string inside;         // "above", "below" or empty: as the file suggests
+};
+
+/// Adds FILE and the flags that describe it. `flags` must outlive the parse.
+void add_volume_flags(CLI::App& command, VolumeFlags& flags);
+
+/// Adds --iso and --inside. `flags` must outlive the parse.
+void add_level_flags(CLI::App& command, LevelFlags& flags);
+
+/// Throws InvalidArgument naming the flag that makes no sense.
+ReadOptions read_options(const VolumeFlags& flags);
+
+/// A level set has the level 0 and its inside below unless the flags say otherwise; other volumes
+/// have their inside above. Throws InvalidArgument if iso is missing or not finite.
+IsoLevel iso_level(const LevelFlags& flags, const Volume& volume);
+
+/// Three voxel counts from "64 64 32", "64x64x32" or "64,64,32". Throws InvalidArgument.
+Index3 parse_dims(std::string_view text);
+
+/// One length for all axes or three, as above; each positive and finite. Throws InvalidArgument.
+Vec3 parse_spacing(std::string_view text);
+
+/// Bytes from "4G", "512M", "1.5GiB", "65536". K, M, G and T are powers of 1024.
+/// Throws InvalidArgument.
+std::uint64_t parse_bytes(std::string_view text);
+
+/// Ties each flag that takes numbers to the numbers after it: "--dims", "64", "64", "32" become
+/// "--dims=64 64 32", so that a FILE after them is not taken for a number, nor "-.5" for a flag.
+/// Throws InvalidArgument where another flag or nothing follows.
+std::vector<std::string> tie_numbers_to_flags(const std::vector<std::string>& arguments);
+
+}  // namespace isoloop

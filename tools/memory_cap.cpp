@@ -1,0 +1,21 @@
+#include "tools/memory_cap.h"
+
+#include <algorithm>
+#include <thread>
+
+#include <sys/resource.h>
+
+namespace isoloop {
+
+void cap_memory(std::uint64_t bytes) {
+  constexpr rlim_t usual_stack = rlim_t{8} << 20;
+  rlimit stack{};
+  rlimit data{};
+  if (getrlimit(RLIMIT_STACK, &stack) != 0 || getrlimit(RLIMIT_DATA, &data) != 0) return;
+  const rlim_t one_stack = stack.rlim_cur == RLIM_INFINITY ? usual_stack : stack.rlim_cur;
+  const rlim_t all_stacks = one_stack * std::max(1U, std::thread::hardware_concurrency());
+  data.rlim_cur = std::min<rlim_t>(data.rlim_max, bytes + all_stacks);
+  setrlimit(RLIMIT_DATA, &data);
+}
+
+}  // namespace isoloop

@@ -1,0 +1,13 @@
+// A bound on the memory of the whole process.
+#pragma once
+
+#include <cstdint>
+
+namespace isoloop {
+
+/// From now on an allocation that would bring the process's data over `bytes` throws
+/// std::bad_alloc. The stacks of as many threads as the machine has cores come on top. Where the
+/// system knows no such bound, nothing happens.
+void cap_memory(std::uint64_t bytes);
+
+}  // namespace isoloop

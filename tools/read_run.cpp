@@ -1,0 +1,24 @@
+#include "tools/read_run.h"
+
+#include <chrono>
+
+#include "tools/memory_cap.h"
+
+namespace isoloop {
+
+RunResult read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flags) {
+  const auto start = std::chrono::steady_clock::now();
+  RunResult run;
+  run.file = volume_flags.file;
+  run.nan_as = volume_flags.nan_as;
+  const ReadOptions options = read_options(volume_flags);
+  if (options.max_bytes > 0) cap_memory(options.max_bytes);
+  run.volume = read_volume(volume_flags.file, options);
+  run.range = value_range(run.volume);
+  run.level = iso_level(level_flags, run.volume);
+  run.cost.read_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return run;
+}
+
+}  // namespace isoloop

@@ -1,0 +1,30 @@
+#include "tools/report_csv.h"
+
+#include "tools/number_text.h"
+
+namespace isoloop {
+namespace {
+
+const char* triviality(bool trivial) { return trivial ? "trivial" : "nontrivial"; }
+
+}  // namespace
+
+void write_csv(std::ostream& out, const RunResult& run) {
+  out << "id,kind,fix,length,size,component,curves,"
+         "center_index_i,center_index_j,center_index_k,"
+         "center_world_x,center_world_y,center_world_z,"
+         "certificate_inside,certificate_outside\n";
+  for (const Loop& loop : run.reported) {
+    const bool handle = loop.kind == LoopKind::handle;
+    out << loop.id << (handle ? ",handle,cut," : ",tunnel,fill,") << shortest_text(loop.length)
+        << ',' << shortest_text(loop.size) << ',' << loop.component << ',' << loop.curves.size();
+    for (const double index : loop.center_index) out << ',' << shortest_text(index);
+    for (const double position : to_world(run.volume, loop.center_index)) {
+      out << ',' << shortest_text(position);
+    }
+    out << ',' << triviality(loop.certificate.trivial_inside) << ','
+        << triviality(loop.certificate.trivial_outside) << '\n';
+  }
+}
+
+}  // namespace isoloop

@@ -1,0 +1,158 @@
+#include "tools/report_json.h"
+
+#include <array>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "tools/report_table.h"
+
+namespace isoloop {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// One line. Bytes of a file name that are not UTF-8 are replaced rather than refused.
+std::string line_of(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+void write_member(std::ostream& out, const char* name, const Json& value) {
+  out << ",\n  \"" << name << "\": " << line_of(value);
+}
+
+// Rows of the map from (i, j, k, 1) to the world.
+Json affine_of(const Volume& volume) {
+  Json rows = Json::array();
+  for (std::size_t row = 0; row < 3; ++row) {
+    Json entries = Json::array();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      entries.push_back(volume.direction[axis][row] * volume.spacing[axis]);
+    }
+    entries.push_back(volume.origin[row]);
+    rows.push_back(entries);
+  }
+  rows.push_back({0.0, 0.0, 0.0, 1.0});
+  return rows;
+}
+
+Json input_of(const RunResult& run) {
+  const Volume& volume = run.volume;
+  return {{"file", run.file},
+          {"grid", volume.name},
+          {"dims", volume.dims},
+          {"type", type_name(volume.values)},
+          {"spacing", volume.spacing},
+          {"origin", volume.origin},
+          {"direction", volume.direction},
+          {"level_set", volume.level_set},
+          {"minimum", run.range.min},
+          {"maximum", run.range.max},
+          {"nan_as", run.nan_as ? Json(*run.nan_as) : Json()}};
+}
+
+Json conventions_of(const RunResult& run) {
+  Json conventions = {
+      {"inside", inside_text(run.level)},
+      {"inside_rule", run.level.inside == InsideRule::above ? "above" : "below"},
+      {"equal_to_iso", "inside"},
+      {"ambiguous_faces", "asymptotic decider, ties by a fixed rule; cells are simply connected"},
+      {"padding", "one layer outside the volume"},
+      {"coefficients", "Z2"}};
+  if (run.with_loops) {
+    conventions["geodesic"] = run.geodesic == GeodesicMode::exact ? "exact" : "hierarchy";
+    conventions["infinite_size"] = "null: the loop joins two components of the surface";
+  }
+  conventions["coordinates"] = {{"frame", frame_text(run.volume.frame)},
+                                {"affine", affine_of(run.volume)},
+                                {"center_index", "voxel indices"},
+                                {"center_world", "frame"},
+                                {"curves", "frame"}};
+  conventions["unit"] = "length and size: unit of the spacing";
+  return conventions;
+}
+
+Json filter_of(const RunResult& run) {
+  const char* side = run.filter.handles ? (run.filter.tunnels ? "both" : "handle") : "tunnel";
+  return {{"min_size", run.filter.min_size},
+          {"max_size", run.filter.max_size},
+          {"side", side},
+          {"found", run.analysis.loops.size()},
+          {"reported", run.reported.size()}};
+}
+
+Json curves_of(const RunResult& run, const Loop& loop) {
+  Json curves = Json::array();
+  for (const auto& curve : loop.curves) {
+    Json points = Json::array();
+    for (const std::uint32_t vertex : curve) {
+      const auto& point = run.analysis.surface.points[vertex];
+      points.push_back(to_world(run.volume, {point[0], point[1], point[2]}));
+    }
+    curves.push_back(std::move(points));
+  }
+  return curves;
+}
+
+Json loop_of(const RunResult& run, const Loop& loop) {
+  const bool handle = loop.kind == LoopKind::handle;
+  const auto triviality = [](bool trivial) { return trivial ? "trivial" : "nontrivial"; };
+  return {{"id", loop.id},
+          {"kind", handle ? "handle" : "tunnel"},
+          {"fix", handle ? "cut" : "fill"},
+          {"length", loop.length},
+          {"size", loop.size},
+          {"component", loop.component},
+          {"center_index", loop.center_index},
+          {"center_world", to_world(run.volume, loop.center_index)},
+          {"curves", curves_of(run, loop)},
+          {"certificate",
+           {{"inside", triviality(loop.certificate.trivial_inside)},
+            {"outside", triviality(loop.certificate.trivial_outside)}}}};
+}
+
+void write_loops(std::ostream& out, const RunResult& run) {
+  out << ",\n  \"loops\": [";
+  const char* separator = "\n    ";
+  for (const Loop& loop : run.reported) {
+    out << separator << line_of(loop_of(run, loop));
+    separator = ",\n    ";
+  }
+  out << (run.reported.empty() ? "]" : "\n  ]");
+}
+
+}  // namespace
+
+void write_json(std::ostream& out, const RunResult& run) {
+  const Surface& surface = run.analysis.surface;
+  const Betti& betti = run.analysis.betti;
+  const StageSeconds& seconds = run.analysis.seconds;
+  out << "{\n  \"schema\": \"isoloop/1\"";
+  write_member(out, "input", input_of(run));
+  write_member(out, "iso", run.level.iso);
+  write_member(out, "conventions", conventions_of(run));
+  write_member(out, "surface",
+               {{"vertices", surface.points.size()},
+                {"triangles", surface.triangles.size()},
+                {"components", surface.components.size()},
+                {"euler", surface.euler()},
+                {"genus", surface.genus()}});
+  write_member(out, "betti", {{"b0", betti.b0}, {"b1", betti.b1}, {"b2", betti.b2}});
+  if (run.with_loops) {
+    write_member(out, "filter", filter_of(run));
+    write_loops(out, run);
+  }
+  write_member(out, "verified", true);
+  write_member(out, "seconds",
+               {{"read", run.cost.read_seconds},
+                {"surface", seconds.surface},
+                {"closest", seconds.closest},
+                {"sizes", seconds.sizes},
+                {"pass", seconds.pass},
+                {"loops", seconds.loops},
+                {"total", run.cost.total_seconds}});
+  write_member(out, "peak_bytes", run.cost.peak_bytes);
+  out << "\n}\n";
+}
+
+}  // namespace isoloop

@@ -1,0 +1,170 @@
+#include "tools/report_table.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "tools/number_text.h"
+#include "volume/memory_limit.h"
+
+namespace isoloop {
+namespace {
+
+constexpr std::size_t column_count = 10;
+using Row = std::array<std::string, column_count>;
+
+// Characters on screen: the bytes of UTF-8 that do not continue a character.
+std::size_t screen_width(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+std::string point_text(const Vec3& point, int decimals) {
+  std::string text = "(";
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (axis > 0) text += ", ";
+    text += fixed_text(point[axis], decimals);
+  }
+  return text += ")";
+}
+
+Row row_of(const Loop& loop, const Volume& volume) {
+  const bool handle = loop.kind == LoopKind::handle;
+  const int decimals = length_decimals(volume.spacing);
+  return {std::to_string(loop.id),
+          handle ? "handle" : "tunnel",
+          handle ? "cut" : "fill",
+          fixed_text(loop.length, decimals),
+          fixed_text(loop.size, decimals),
+          point_text(loop.center_index, 1),
+          point_text(to_world(volume, loop.center_index), decimals),
+          std::to_string(loop.component),
+          std::to_string(loop.curves.size()),
+          loop.certificate.trivial_inside ? "bounds inside" : "bounds outside"};
+}
+
+void write_rows(std::ostream& out, const std::vector<Row>& rows) {
+  constexpr std::array<bool, column_count> flush_left{false, true,  true,  false, false,
+                                                      false, false, false, false, true};
+  std::array<std::size_t, column_count> width{};
+  for (const Row& row : rows) {
+    for (std::size_t c = 0; c < column_count; ++c) {
+      width[c] = std::max(width[c], screen_width(row[c]));
+    }
+  }
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t c = 0; c < column_count; ++c) {
+      const std::string blanks(width[c] - screen_width(row[c]), ' ');
+      if (c > 0) line += "  ";
+      line += flush_left[c] ? row[c] + blanks : blanks + row[c];
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    out << line << '\n';
+  }
+}
+
+// Why the surface is missing, or is no more than the border of the volume.
+void write_level_note(std::ostream& out, const RunResult& run) {
+  const double iso = run.level.iso;
+  std::string range = "[";
+  range += shortest_text(run.range.min) + ", " + shortest_text(run.range.max) + "]";
+  const bool below = iso < run.range.min;
+  const bool above = iso > run.range.max;
+  if (run.analysis.surface.triangles.empty()) {
+    if (below || above) {
+      out << "no surface: iso " << shortest_text(iso) << " is outside the value range " << range
+          << "; 0 loops\n";
+    } else {
+      out << "no surface exists at iso " << shortest_text(iso) << ", value range " << range
+          << "; 0 loops\n";
+    }
+  } else if (below || above) {
+    out << "note: iso " << shortest_text(iso) << " is outside the value range " << range
+        << ", so every voxel is inside and the surface is the border of the volume\n";
+  }
+}
+
+void write_counts(std::ostream& out, const RunResult& run) {
+  const Surface& surface = run.analysis.surface;
+  const Betti& betti = run.analysis.betti;
+  const auto count = [](std::size_t n) { return static_cast<std::int64_t>(n); };
+  std::array<std::string, 3> numbers{std::to_string(betti.b0), std::to_string(betti.b1),
+                                     std::to_string(betti.b2)};
+  std::size_t width = 0;
+  for (const std::string& number : numbers) width = std::max(width, number.size());
+  for (std::string& number : numbers) number.insert(0, width - number.size(), ' ');
+  out << "surface     " << counted(count(surface.points.size()), "vertex", "vertices") << ", "
+      << counted(count(surface.triangles.size()), "triangle", "triangles") << ", "
+      << counted(count(surface.components.size()), "component", "components")
+      << ", Euler characteristic χ = " << surface.euler() << ", genus " << surface.genus() << '\n'
+      << "components  " << numbers[0] << "  (b0: separate pieces of the solid)\n"
+      << "tunnels     " << numbers[1] << "  (b1: ways through the solid, as in a ring)\n"
+      << "cavities    " << numbers[2] << "  (b2: hollows closed off inside the solid)\n";
+}
+
+void write_total(std::ostream& out, const RunResult& run, LoopKind kind) {
+  const auto loops = std::count_if(run.reported.begin(), run.reported.end(),
+                                   [kind](const Loop& loop) { return loop.kind == kind; });
+  double length = 0.0;
+  for (const Loop& loop : run.reported) {
+    if (loop.kind == kind) length += loop.length;
+  }
+  const bool handle = kind == LoopKind::handle;
+  out << "total length of "
+      << counted(loops, handle ? "handle loop" : "tunnel loop",
+                 handle ? "handle loops" : "tunnel loops")
+      << ": " << fixed_text(length, length_decimals(run.volume.spacing)) << '\n';
+}
+
+void write_loops(std::ostream& out, const RunResult& run) {
+  if (!run.reported.empty()) {
+    std::vector<Row> rows{{"id", "kind", "fix", "length", "size", "centre (index)",
+                           "centre (world)", "component", "curves", "certificate"}};
+    for (const Loop& loop : run.reported) rows.push_back(row_of(loop, run.volume));
+    out << '\n';
+    write_rows(out, rows);
+  }
+  out << '\n';
+  if (run.filter.handles) write_total(out, run, LoopKind::handle);
+  if (run.filter.tunnels) write_total(out, run, LoopKind::tunnel);
+  if (run.reported.size() != run.analysis.loops.size()) {
+    out << "reported: " << run.reported.size() << " of "
+        << counted(static_cast<std::int64_t>(run.analysis.loops.size()), "loop", "loops")
+        << ", as --min-size, --max-size and --side ask\n";
+  }
+  const std::int64_t genus = run.analysis.surface.genus();
+  out << "verified: every loop is closed, lies on M and is certified; " << genus << " handle + "
+      << genus << " tunnel = 2 × genus\n";
+}
+
+}  // namespace
+
+std::string inside_text(const IsoLevel& level) {
+  return (level.inside == InsideRule::above ? "f >= " : "f <= ") + shortest_text(level.iso);
+}
+
+std::string frame_text(Frame frame) {
+  switch (frame) {
+    case Frame::index:
+      return "index";
+    case Frame::world:
+      return "world";
+    case Frame::lps:
+      return "LPS";
+    case Frame::ras:
+      return "RAS";
+  }
+  return "index";
+}
+
+void write_table(std::ostream& out, const RunResult& run) {
+  out << run.file << ": " << dims_text(run.volume.dims) << ' ' << type_name(run.volume.values)
+      << ", inside is " << inside_text(run.level) << "\n\n";
+  write_counts(out, run);
+  write_level_note(out, run);
+  if (run.with_loops) write_loops(out, run);
+}
+
+}  // namespace isoloop

@@ -1,0 +1,130 @@
+#include "tools/run_result.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+#include <sys/resource.h>
+
+#include "core/errors.h"
+
+namespace isoloop {
+namespace {
+
+using VertexPair = std::pair<std::uint32_t, std::uint32_t>;
+
+VertexPair unordered(std::uint32_t a, std::uint32_t b) {
+  return a < b ? VertexPair{a, b} : VertexPair{b, a};
+}
+
+std::string name_of(const Loop& loop) {
+  return (loop.kind == LoopKind::handle ? "handle loop " : "tunnel loop ") +
+         std::to_string(loop.id);
+}
+
+// Every step of every curve, the step from its last vertex to its first among them.
+std::vector<VertexPair> loop_steps(const Analysis& analysis) {
+  std::vector<VertexPair> steps;
+  for (const Loop& loop : analysis.loops) {
+    if (loop.curves.empty()) throw SelfCheckFailed(name_of(loop) + " has no curve");
+    for (const auto& curve : loop.curves) {
+      if (curve.size() < 3) throw SelfCheckFailed(name_of(loop) + " does not go round anything");
+      for (std::size_t i = 0; i < curve.size(); ++i) {
+        const std::uint32_t from = curve[i];
+        const std::uint32_t to = curve[i + 1 == curve.size() ? 0 : i + 1];
+        if (from >= analysis.surface.points.size() || from == to) {
+          throw SelfCheckFailed(name_of(loop) + " leaves the surface");
+        }
+        steps.push_back(unordered(from, to));
+      }
+    }
+  }
+  std::sort(steps.begin(), steps.end());
+  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
+  return steps;
+}
+
+void check_steps_lie_on_surface(const Analysis& analysis) {
+  const std::vector<VertexPair> steps = loop_steps(analysis);
+  std::vector<char> on_loop(analysis.surface.points.size(), 0);
+  for (const auto& [a, b] : steps) on_loop[a] = on_loop[b] = 1;
+  std::vector<char> found(steps.size(), 0);
+  for (const auto& triangle : analysis.surface.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t a = triangle[i];
+      const std::uint32_t b = triangle[(i + 1) % 3];
+      if (on_loop[a] == 0 || on_loop[b] == 0) continue;
+      const auto place = std::lower_bound(steps.begin(), steps.end(), unordered(a, b));
+      if (place != steps.end() && *place == unordered(a, b)) {
+        found[static_cast<std::size_t>(place - steps.begin())] = 1;
+      }
+    }
+  }
+  if (std::find(found.begin(), found.end(), 0) != found.end()) {
+    throw SelfCheckFailed("a loop takes a step that is no edge of the surface");
+  }
+}
+
+}  // namespace
+
+std::vector<Loop> select_loops(const std::vector<Loop>& loops, const LoopFilter& filter) {
+  std::vector<Loop> selected;
+  for (const Loop& loop : loops) {
+    const bool kind_wanted = loop.kind == LoopKind::handle ? filter.handles : filter.tunnels;
+    if (kind_wanted && loop.size >= filter.min_size && loop.size <= filter.max_size) {
+      selected.push_back(loop);
+    }
+  }
+  return selected;
+}
+
+std::uint64_t peak_resident_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+}
+
+void check_counts(const Analysis& analysis) {
+  std::int64_t euler = 0;
+  std::int64_t genus = 0;
+  std::int64_t cavities = 0;
+  for (const SurfaceComponent& part : analysis.surface.components) {
+    if (part.genus < 0 || part.euler != 2 - 2 * part.genus) {
+      throw SelfCheckFailed("a component of the surface is not closed");
+    }
+    euler += part.euler;
+    genus += part.genus;
+    cavities += part.bounds_cavity ? 1 : 0;
+  }
+  const auto parts = static_cast<std::int64_t>(analysis.surface.components.size());
+  if (euler != analysis.surface.euler() || genus != analysis.surface.genus()) {
+    throw SelfCheckFailed("the components of the surface do not add up to the whole");
+  }
+  const Betti& betti = analysis.betti;
+  if (betti.b0 != parts - cavities || betti.b1 != genus || betti.b2 != cavities) {
+    throw SelfCheckFailed("the Betti numbers contradict the components of the surface");
+  }
+}
+
+void check_loops(const Analysis& analysis) {
+  std::array<std::int64_t, 2> count{};  // handles, tunnels
+  for (const Loop& loop : analysis.loops) {
+    const bool handle = loop.kind == LoopKind::handle;
+    if (++count[handle ? 0 : 1] != loop.id) {
+      throw SelfCheckFailed(name_of(loop) + " is out of order");
+    }
+    if (loop.certificate.trivial_inside != handle || loop.certificate.trivial_outside == handle) {
+      throw SelfCheckFailed(name_of(loop) + " lacks the certificate of its kind");
+    }
+  }
+  const std::int64_t genus = analysis.surface.genus();
+  if (count[0] != genus || count[1] != genus) {
+    throw SelfCheckFailed("found " + std::to_string(count[0]) + " handle loops and " +
+                          std::to_string(count[1]) + " tunnel loops on a surface of genus " +
+                          std::to_string(genus));
+  }
+  check_steps_lie_on_surface(analysis);
+}
+
+}  // namespace isoloop

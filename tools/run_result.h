@@ -1,0 +1,58 @@
+// One run of `count` or `loops`: what was read, how it was asked for, what came out, what it cost.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/analysis.h"
+#include "volume/volume.h"
+
+namespace isoloop {
+
+/// Which of the proved loops a report shows.
+struct LoopFilter {
+  double min_size = 0.0;                                      // unit of the spacing
+  double max_size = std::numeric_limits<double>::infinity();  // unit of the spacing
+  bool handles = true;
+  bool tunnels = true;
+};
+
+/// The loops that pass the filter, in the order and with the ids of the full list.
+std::vector<Loop> select_loops(const std::vector<Loop>& loops, const LoopFilter& filter);
+
+struct RunCost {
+  double read_seconds = 0.0;     // wall clock
+  double total_seconds = 0.0;    // wall clock, from the start of reading to the report
+  std::uint64_t peak_bytes = 0;  // largest resident set of the process so far
+};
+
+/// Largest resident set of this process so far, in bytes.
+std::uint64_t peak_resident_bytes();
+
+/// All that a report is made from.
+struct RunResult {
+  std::string file;  // as named on the command line
+  Volume volume;
+  ValueRange range;
+  std::optional<double> nan_as;  // the value that was read in place of NaN
+  IsoLevel level;
+  GeodesicMode geodesic = GeodesicMode::hierarchy;
+  Analysis analysis;
+  bool with_loops = true;  // false: counted only
+  LoopFilter filter;
+  std::vector<Loop> reported;  // select_loops(analysis.loops, filter)
+  RunCost cost;
+};
+
+/// Throws SelfCheckFailed unless every component of the surface is closed, the parts add up to the
+/// whole, and the Betti numbers are those that the components imply.
+void check_counts(const Analysis& analysis);
+
+/// Throws SelfCheckFailed unless the loops are as many as the genus asks for, number 1, 2, ...
+/// within their kind, close up along edges of M and carry the certificate of their kind.
+void check_loops(const Analysis& analysis);
+
+}  // namespace isoloop
