@@ -1,0 +1,148 @@
+#include "tools/input_flags.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "core/errors.h"
+
+namespace isoloop {
+namespace {
+
+using Words = std::vector<std::string>;
+
+TEST(TieNumbersToFlags, LeavesTheFileAlone) {
+  EXPECT_EQ(tie_numbers_to_flags({"loops", "--dims", "64", "32", "16", "x.raw"}),
+            (Words{"loops", "--dims=64 32 16", "x.raw"}));
+  EXPECT_EQ(tie_numbers_to_flags({"--dims", "64x32x16", "x.raw"}),
+            (Words{"--dims", "64x32x16", "x.raw"}));
+  EXPECT_EQ(tie_numbers_to_flags({"--spacing", "0.5", "x.raw"}), (Words{"--spacing=0.5", "x.raw"}));
+}
+
+TEST(TieNumbersToFlags, TakesNegativeNumbersForNumbers) {
+  EXPECT_EQ(tie_numbers_to_flags({"--iso", "-.5", "--nan-as", "-1e3"}),
+            (Words{"--iso=-.5", "--nan-as=-1e3"}));
+}
+
+TEST(TieNumbersToFlags, StopsAtTheDoubleDash) {
+  EXPECT_EQ(tie_numbers_to_flags({"--", "--iso", "5"}), (Words{"--", "--iso", "5"}));
+}
+
+TEST(TieNumbersToFlags, LeavesWordsThatAreNoNumbers) {
+  EXPECT_EQ(tie_numbers_to_flags({"--iso", "five"}), (Words{"--iso", "five"}));
+}
+
+TEST(TieNumbersToFlags, RefusesAFlagWithoutNumbers) {
+  EXPECT_THROW(tie_numbers_to_flags({"--dims"}), InvalidArgument);
+  EXPECT_THROW(tie_numbers_to_flags({"--dims", "--type", "u8"}), InvalidArgument);
+}
+
+TEST(ParseDims, TakesBlanksCrossesAndCommas) {
+  const Index3 dims{64, 32, 16};
+  EXPECT_EQ(parse_dims("64 32 16"), dims);
+  EXPECT_EQ(parse_dims("64x32x16"), dims);
+  EXPECT_EQ(parse_dims("64,32,16"), dims);
+}
+
+TEST(ParseDims, RefusesWhatIsNotThreeCounts) {
+  for (const char* text : {"", "64", "64 32", "64 32 16 8", "64 32 0", "64 32 -1", "6.5 3 3",
+                           "64 32 16a", "99999999999999999999 1 1"}) {
+    EXPECT_THROW(parse_dims(text), InvalidArgument) << text;
+  }
+}
+
+TEST(ParseSpacing, TakesOneOrThreeLengths) {
+  EXPECT_EQ(parse_spacing("0.5"), (Vec3{0.5, 0.5, 0.5}));
+  EXPECT_EQ(parse_spacing("0.5 1 2e-3"), (Vec3{0.5, 1, 2e-3}));
+}
+
+TEST(ParseSpacing, RefusesWhatIsNoLength) {
+  for (const char* text : {"", "0", "-1", "1 2", "inf", "nan", "1 1 1 1", "mm"}) {
+    EXPECT_THROW(parse_spacing(text), InvalidArgument) << text;
+  }
+}
+
+TEST(ParseBytes, KnowsPowersOf1024) {
+  EXPECT_EQ(parse_bytes("65536"), 65536U);
+  EXPECT_EQ(parse_bytes("512M"), 512U << 20);
+  EXPECT_EQ(parse_bytes("4G"), std::uint64_t{4} << 30);
+  EXPECT_EQ(parse_bytes("4GiB"), std::uint64_t{4} << 30);
+  EXPECT_EQ(parse_bytes("4GB"), std::uint64_t{4} << 30);
+  EXPECT_EQ(parse_bytes("1.5k"), 1536U);
+}
+
+TEST(ParseBytes, RefusesWhatIsNoSize) {
+  for (const char* text : {"", "G", "-1G", "0", "4X", "4G4", "nan", "inf", "99999999999T"}) {
+    EXPECT_THROW(parse_bytes(text), InvalidArgument) << text;
+  }
+}
+
+TEST(ReadOptionsOfFlags, NamesTheFlagThatMakesNoSense) {
+  VolumeFlags flags;
+  flags.type = "u9";
+  try {
+    read_options(flags);
+    FAIL();
+  } catch (const InvalidArgument& error) {
+    EXPECT_NE(std::string(error.what()).find("--type u9"), std::string::npos);
+  }
+}
+
+TEST(ReadOptionsOfFlags, CarriesEveryFlag) {
+  const ReadOptions options = read_options({.file = "x.raw",
+                                            .dims = "4 5 6",
+                                            .type = "i16",
+                                            .endian = "big",
+                                            .skip = 12,
+                                            .spacing = "2",
+                                            .grid = "density",
+                                            .nan_as = -1.0,
+                                            .max_memory = "1K"});
+  EXPECT_EQ(options.raw.dims, (Index3{4, 5, 6}));
+  EXPECT_EQ(options.raw.type, VoxelType::int16);
+  EXPECT_EQ(options.raw.endian, Endian::big);
+  EXPECT_EQ(options.raw.skip, 12U);
+  EXPECT_EQ(options.raw.spacing, (Vec3{2, 2, 2}));
+  EXPECT_EQ(options.grid, "density");
+  EXPECT_EQ(options.nan_as, -1.0);
+  EXPECT_EQ(options.max_bytes, 1024U);
+}
+
+Volume two_voxels(bool level_set) {
+  Volume volume;
+  volume.dims = {2, 1, 1};
+  volume.values = std::vector<float>{-3.0F, 4.0F};
+  volume.level_set = level_set;
+  return volume;
+}
+
+TEST(IsoLevelOfFlags, IsZeroAndBelowForALevelSet) {
+  const IsoLevel level = iso_level({}, two_voxels(true));
+  EXPECT_EQ(level.iso, 0.0);
+  EXPECT_EQ(level.inside, InsideRule::below);
+}
+
+TEST(IsoLevelOfFlags, FlagsWinOverTheLevelSet) {
+  const IsoLevel level = iso_level({.iso = 1.0, .inside = "above"}, two_voxels(true));
+  EXPECT_EQ(level.iso, 1.0);
+  EXPECT_EQ(level.inside, InsideRule::above);
+}
+
+TEST(IsoLevelOfFlags, IsRequiredOtherwiseAndTheMessageStatesTheRange) {
+  try {
+    iso_level({}, two_voxels(false));
+    FAIL();
+  } catch (const InvalidArgument& error) {
+    EXPECT_NE(std::string(error.what()).find("--iso is required"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("-3 to 4"), std::string::npos);
+  }
+}
+
+TEST(IsoLevelOfFlags, RefusesAnIsoThatIsNotFinite) {
+  EXPECT_THROW(
+      iso_level({.iso = std::numeric_limits<double>::infinity(), .inside = ""}, two_voxels(false)),
+      InvalidArgument);
+}
+
+}  // namespace
+}  // namespace isoloop

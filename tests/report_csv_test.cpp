@@ -1,0 +1,34 @@
+#include "tools/report_csv.h"
+
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "tests/sample_run.h"
+
+namespace isoloop {
+namespace {
+
+std::string csv_of(const RunResult& run) {
+  std::ostringstream out;
+  write_csv(out, run);
+  return out.str();
+}
+
+TEST(ReportCsv, HasOneRowForEachLoop) {
+  EXPECT_EQ(csv_of(torus_run()),
+            "id,kind,fix,length,size,component,curves,"
+            "center_index_i,center_index_j,center_index_k,"
+            "center_world_x,center_world_y,center_world_z,"
+            "certificate_inside,certificate_outside\n"
+            "1,handle,cut,2.598,1.5,0,1,8,5,5,104,2.5,2.5,trivial,nontrivial\n"
+            "1,tunnel,fill,10.392,inf,0,1,5,5,5,102.5,2.5,2.5,nontrivial,trivial\n");
+}
+
+TEST(ReportCsv, HasOnlyItsHeadWithoutLoops) {
+  const std::string csv = csv_of(empty_run());
+  EXPECT_EQ(csv.find('\n'), csv.size() - 1);
+}
+
+}  // namespace
+}  // namespace isoloop

@@ -1,0 +1,150 @@
+#include "tools/report_json.h"
+
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/sample_run.h"
+
+namespace isoloop {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string text_of(const RunResult& run) {
+  std::ostringstream out;
+  write_json(out, run);
+  return out.str();
+}
+
+Json parsed(const RunResult& run) { return Json::parse(text_of(run)); }
+
+std::vector<std::string> keys_of(const Json& object) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : object.items()) keys.push_back(key);
+  return keys;
+}
+
+TEST(ReportJson, StartsWithItsSchema) {
+  const Json json = parsed(torus_run());
+  EXPECT_EQ(keys_of(json).front(), "schema");
+  EXPECT_EQ(json.at("schema"), "isoloop/1");
+}
+
+TEST(ReportJson, HasTheNamesOfTheDesign) {
+  const Json json = parsed(torus_run());
+  for (const char* key : {"input", "iso", "conventions", "surface", "betti", "loops", "verified",
+                          "seconds", "peak_bytes"}) {
+    EXPECT_TRUE(json.contains(key)) << key;
+  }
+  EXPECT_EQ(keys_of(json.at("surface")),
+            (std::vector<std::string>{"vertices", "triangles", "components", "euler", "genus"}));
+  EXPECT_EQ(keys_of(json.at("betti")), (std::vector<std::string>{"b0", "b1", "b2"}));
+  EXPECT_EQ(keys_of(json.at("loops").at(0)),
+            (std::vector<std::string>{"id", "kind", "fix", "length", "size", "component",
+                                      "center_index", "center_world", "curves", "certificate"}));
+  EXPECT_EQ(
+      keys_of(json.at("seconds")),
+      (std::vector<std::string>{"read", "surface", "closest", "sizes", "pass", "loops", "total"}));
+}
+
+TEST(ReportJson, StatesCountsAndCost) {
+  const Json json = parsed(torus_run());
+  EXPECT_EQ(json.at("surface").at("vertices"), 9);
+  EXPECT_EQ(json.at("surface").at("genus"), 1);
+  EXPECT_EQ(json.at("betti").at("b1"), 1);
+  EXPECT_EQ(json.at("iso"), 0.25);
+  EXPECT_EQ(json.at("verified"), true);
+  EXPECT_EQ(json.at("seconds").at("total"), 1.5);
+  EXPECT_EQ(json.at("peak_bytes"), 1024);
+}
+
+TEST(ReportJson, SaysWhichLoopBoundsWhere) {
+  const Json loops = parsed(torus_run()).at("loops");
+  EXPECT_EQ(loops.at(0).at("kind"), "handle");
+  EXPECT_EQ(loops.at(0).at("fix"), "cut");
+  EXPECT_EQ(loops.at(0).at("certificate"),
+            Json({{"inside", "trivial"}, {"outside", "nontrivial"}}));
+  EXPECT_EQ(loops.at(1).at("kind"), "tunnel");
+  EXPECT_EQ(loops.at(1).at("fix"), "fill");
+  EXPECT_EQ(loops.at(1).at("certificate"),
+            Json({{"inside", "nontrivial"}, {"outside", "trivial"}}));
+}
+
+TEST(ReportJson, WritesInfiniteSizeAsNull) {
+  const Json json = parsed(torus_run());
+  EXPECT_TRUE(json.at("loops").at(1).at("size").is_null());
+  EXPECT_NE(json.at("conventions").at("infinite_size").get<std::string>().find("null"),
+            std::string::npos);
+}
+
+TEST(ReportJson, PutsCurvesInTheWorldFrame) {
+  const Json curve = parsed(torus_run()).at("loops").at(0).at("curves").at(0);
+  ASSERT_EQ(curve.size(), 3U);
+  EXPECT_DOUBLE_EQ(curve.at(0).at(0).get<double>(), 104.5);
+  EXPECT_DOUBLE_EQ(curve.at(0).at(1).get<double>(), 2.5);
+  EXPECT_DOUBLE_EQ(curve.at(0).at(2).get<double>(), 2.5);
+}
+
+TEST(ReportJson, PrintsFrameAndAffine) {
+  const Json coordinates = parsed(torus_run()).at("conventions").at("coordinates");
+  EXPECT_EQ(coordinates.at("frame"), "world");
+  EXPECT_EQ(coordinates.at("affine"),
+            Json::parse("[[0.5,0,0,100],[0,0.5,0,0],[0,0,0.5,0],[0,0,0,1]]"));
+}
+
+TEST(ReportJson, NamesTheInsideRule) {
+  RunResult run = torus_run();
+  EXPECT_EQ(parsed(run).at("conventions").at("inside"), "f <= 0.25");
+  run.level.inside = InsideRule::above;
+  EXPECT_EQ(parsed(run).at("conventions").at("inside"), "f >= 0.25");
+}
+
+TEST(ReportJson, LeavesLoopsOutOfACount) {
+  RunResult run = torus_run();
+  run.with_loops = false;
+  const Json json = parsed(run);
+  EXPECT_FALSE(json.contains("loops"));
+  EXPECT_EQ(json.at("betti").at("b0"), 1);
+}
+
+TEST(ReportJson, WritesAnEmptySurface) {
+  const Json json = parsed(empty_run());
+  EXPECT_EQ(json.at("loops"), Json::array());
+  EXPECT_EQ(json.at("surface").at("triangles"), 0);
+}
+
+TEST(ReportJson, TakesAFileNameThatIsNotUtf8) {
+  RunResult run = torus_run();
+  run.file = "bad\xFFname.raw";
+  EXPECT_NO_THROW(parsed(run));
+}
+
+TEST(ReportJson, WritesInfiniteVoxelsAsNull) {
+  RunResult run = torus_run();
+  run.range.max = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(parsed(run).at("input").at("maximum").is_null());
+}
+
+TEST(ReportJson, DiffersOnlyInCostBetweenRuns) {
+  RunResult other = torus_run();
+  other.cost = {.read_seconds = 9.0, .total_seconds = 10.0, .peak_bytes = 7};
+  other.analysis.seconds.sizes = 3.0;
+  std::istringstream a(text_of(torus_run()));
+  std::istringstream b(text_of(other));
+  std::string line_a;
+  std::string line_b;
+  while (std::getline(a, line_a) && std::getline(b, line_b)) {
+    const bool cost = line_a.starts_with("  \"seconds\"") || line_a.starts_with("  \"peak_bytes\"");
+    if (!cost) {
+      EXPECT_EQ(line_a, line_b);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace isoloop

@@ -1,0 +1,16 @@
+// A finished run made by hand: a torus of nine vertices with one handle loop and one tunnel loop.
+#pragma once
+
+#include "tools/run_result.h"
+
+namespace isoloop {
+
+/// Vertex 3 i + j lies at angle i round the axis and angle j round the tube. The handle loop runs
+/// through vertices 0 1 2, the tunnel loop through 0 3 6. The volume is 10 x 10 x 10 float32 with
+/// spacing 0.5 and its origin at (100, 0, 0).
+RunResult torus_run();
+
+/// The same volume at an iso value that no voxel reaches.
+RunResult empty_run();
+
+}  // namespace isoloop

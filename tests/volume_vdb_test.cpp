@@ -1,0 +1,251 @@
+#include <algorithm>
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <openvdb/io/Stream.h>
+#include <openvdb/openvdb.h>
+
+#include "core/errors.h"
+#include "tests/volume_test_files.h"
+#include "volume/vdb.h"
+
+namespace isoloop {
+namespace {
+
+using openvdb::Coord;
+using openvdb::CoordBBox;
+using openvdb::math::Transform;
+using test::contains;
+using test::message_of;
+using test::read_bytes;
+using test::TempFolder;
+using test::write_bytes;
+
+/// Uncompressed, the codec under which OpenVDB notices least.
+void write_grids(const std::filesystem::path& path, const openvdb::GridPtrVec& grids) {
+  std::ofstream file(path, std::ios::binary);
+  openvdb::io::Stream stream(file);
+  stream.setCompression(openvdb::io::COMPRESS_NONE);
+  stream.write(grids);
+}
+
+openvdb::FloatGrid::Ptr small_grid(const std::string& name) {
+  openvdb::initialize();
+  auto grid = openvdb::FloatGrid::create(-1.0F);
+  grid->setName(name);
+  grid->tree().setValueOn(Coord(-3, 5, 7), 1.0F);
+  grid->tree().setValueOn(Coord(1, 6, 9), 2.0F);
+  grid->tree().setValueOff(Coord(0, 5, 8), 3.0F);
+  return grid;
+}
+
+template <class Grid>
+openvdb::GridBase::Ptr one_voxel_grid(const std::string& name) {
+  openvdb::initialize();
+  auto grid = Grid::create();
+  grid->setName(name);
+  grid->tree().setValueOn(Coord(0, 0, 0));
+  return grid;
+}
+
+float at(const Volume& volume, const Index3& index) {
+  const std::int64_t v = index[0] + volume.dims[0] * (index[1] + volume.dims[1] * index[2]);
+  return std::get<std::vector<float>>(volume.values).at(static_cast<std::size_t>(v));
+}
+
+TEST(VdbReader, SpansTheActiveBoxAndOneLayerOfBackground) {
+  const TempFolder folder;
+  write_grids(folder / "a.vdb", {small_grid("density")});
+  const Volume volume = read_vdb(folder / "a.vdb", "");
+  EXPECT_EQ(volume.dims, (Index3{5 + 2, 2 + 2, 3 + 2}));
+  EXPECT_EQ(volume.origin, (Vec3{-4.0, 4.0, 6.0}));
+  EXPECT_EQ(volume.frame, Frame::world);
+  EXPECT_EQ(volume.name, "density");
+  EXPECT_FALSE(volume.level_set);
+  EXPECT_EQ(at(volume, {1, 1, 1}), 1.0F);
+  EXPECT_EQ(at(volume, {5, 2, 3}), 2.0F);
+  EXPECT_EQ(at(volume, {4, 1, 2}), 3.0F);  // inactive, but no background
+  EXPECT_EQ(at(volume, {0, 0, 0}), -1.0F);
+  EXPECT_EQ(at(volume, {6, 3, 4}), -1.0F);
+}
+
+TEST(VdbReader, ActiveTilesCount) {
+  const TempFolder folder;
+  auto grid = small_grid("density");
+  grid->tree().addTile(1, Coord(16, 0, 0), 5.0F, true);
+  write_grids(folder / "a.vdb", {grid});
+  const Volume volume = read_vdb(folder / "a.vdb", "");
+  EXPECT_EQ(volume.dims, (Index3{23 + 3 + 1 + 2, 8 + 2, 10 + 2}));
+  const auto& values = std::get<std::vector<float>>(volume.values);
+  EXPECT_EQ(std::count(values.begin(), values.end(), 5.0F), 512);
+}
+
+TEST(VdbReader, KeepsDoublesAndTheLevelSetClass) {
+  const TempFolder folder;
+  openvdb::initialize();
+  auto grid = openvdb::DoubleGrid::create(0.1);
+  grid->tree().setValueOn(Coord(0, 0, 0), 1.0 / 3.0);
+  grid->setGridClass(openvdb::GRID_LEVEL_SET);
+  write_grids(folder / "a.vdb", {grid});
+  const Volume volume = read_vdb(folder / "a.vdb", "");
+  EXPECT_TRUE(volume.level_set);
+  EXPECT_EQ(std::get<std::vector<double>>(volume.values)[13], 1.0 / 3.0);
+  EXPECT_EQ(std::get<std::vector<double>>(volume.values)[0], 0.1);
+}
+
+TEST(VdbReader, KeepsARotatedScaledTransform) {
+  const TempFolder folder;
+  auto grid = small_grid("density");
+  openvdb::Mat4d matrix(0.0, 2.0, 0.0, 0.0,   //
+                        -3.0, 0.0, 0.0, 0.0,  //
+                        0.0, 0.0, -4.0, 0.0,  //
+                        10.0, 20.0, 30.0, 1.0);
+  grid->setTransform(Transform::createLinearTransform(matrix));
+  write_grids(folder / "a.vdb", {grid});
+  const Volume volume = read_vdb(folder / "a.vdb", "");
+  EXPECT_EQ(volume.spacing, (Vec3{2.0, 3.0, 4.0}));
+  EXPECT_EQ(volume.direction[0], (Vec3{0.0, 1.0, 0.0}));
+  EXPECT_EQ(volume.direction[1], (Vec3{-1.0, 0.0, 0.0}));
+  EXPECT_EQ(volume.direction[2], (Vec3{0.0, 0.0, -1.0}));
+  const openvdb::Vec3d expected = grid->transform().indexToWorld(Coord(1, 6, 9));
+  const Vec3 world = to_world(volume, {5.0, 2.0, 3.0});
+  for (int c = 0; c < 3; ++c) EXPECT_DOUBLE_EQ(world[static_cast<std::size_t>(c)], expected[c]);
+}
+
+TEST(VdbReader, RefusesShearedAndPerspectiveTransformsByName) {
+  const TempFolder folder;
+  auto sheared = small_grid("sheared");
+  openvdb::Mat4d matrix = openvdb::Mat4d::identity();
+  matrix(1, 0) = 0.25;
+  sheared->setTransform(Transform::createLinearTransform(matrix));
+  auto frustum = small_grid("frustum");
+  frustum->setTransform(
+      Transform::createFrustumTransform(openvdb::BBoxd({0, 0, 0}, {9, 9, 9}), 0.5, 10.0));
+  write_grids(folder / "a.vdb", {sheared, frustum});
+  for (const char* name : {"sheared", "frustum"}) {
+    const std::string message = message_of<InvalidInput>([&] { read_vdb(folder / "a.vdb", name); });
+    EXPECT_TRUE(contains(message, "'" + std::string(name) + "'")) << message;
+  }
+  EXPECT_TRUE(contains(message_of<InvalidInput>([&] { read_vdb(folder / "a.vdb", "frustum"); }),
+                       "perspective"));
+}
+
+TEST(VdbReader, ChoosesTheOnlyScalarGridOrTheNamedOne) {
+  const TempFolder folder;
+  write_grids(folder / "one.vdb", {one_voxel_grid<openvdb::Vec3SGrid>("v"), small_grid("f")});
+  EXPECT_EQ(read_vdb(folder / "one.vdb", "").name, "f");
+  write_grids(folder / "two.vdb", {small_grid("a"), small_grid("b")});
+  EXPECT_EQ(read_vdb(folder / "two.vdb", "b").name, "b");
+  for (const char* name : {"", "c"}) {
+    const std::string message =
+        message_of<InvalidArgument>([&] { read_vdb(folder / "two.vdb", name); });
+    EXPECT_TRUE(contains(message, "'a' (float), 'b' (float)")) << message;
+  }
+}
+
+TEST(VdbReader, RefusesGridsOfOtherTypesByName) {
+  const TempFolder folder;
+  write_grids(folder / "a.vdb", {one_voxel_grid<openvdb::Vec3SGrid>("velocity"),
+                                 one_voxel_grid<openvdb::BoolGrid>("mask"),
+                                 one_voxel_grid<openvdb::Int32Grid>("labels")});
+  for (const char* name : {"velocity", "mask", "labels"}) {
+    const std::string message = message_of<InvalidInput>([&] { read_vdb(folder / "a.vdb", name); });
+    EXPECT_TRUE(contains(message, name)) << message;
+  }
+  const std::string message = message_of<InvalidInput>([&] { read_vdb(folder / "a.vdb", ""); });
+  EXPECT_TRUE(contains(message, "'velocity' (vec3s), 'mask' (bool), 'labels' (int32)")) << message;
+}
+
+TEST(VdbReader, RefusesAGridWithoutActiveVoxels) {
+  const TempFolder folder;
+  openvdb::initialize();
+  auto grid = openvdb::FloatGrid::create(1.0F);
+  grid->tree().setValueOff(Coord(1, 2, 3), 4.0F);
+  write_grids(folder / "a.vdb", {grid});
+  EXPECT_TRUE(contains(message_of<InvalidInput>([&] { read_vdb(folder / "a.vdb", ""); }),
+                       "no active voxels"));
+  write_grids(folder / "none.vdb", {});
+  EXPECT_THROW(read_vdb(folder / "none.vdb", ""), InvalidInput);
+}
+
+TEST(VdbReader, ChecksTheLimitBeforeItDensifies) {
+  const TempFolder folder;
+  auto grid = small_grid("density");
+  write_grids(folder / "small.vdb", {grid});  // densified: 7 x 4 x 5 floats
+  EXPECT_THROW(read_vdb(folder / "small.vdb", "", 559), LimitExceeded);
+  EXPECT_NO_THROW(read_vdb(folder / "small.vdb", "", 560));
+  grid->tree().setValueOn(Coord(2000000000, 2000000000, 2000000000));
+  grid->tree().setValueOn(Coord(-2000000000, -2000000000, -2000000000));
+  write_grids(folder / "wide.vdb", {grid});
+  EXPECT_THROW(read_vdb(folder / "wide.vdb", ""), LimitExceeded);
+  grid->tree().setValueOn(Coord::max());
+  write_grids(folder / "end.vdb", {grid});
+  EXPECT_THROW(read_vdb(folder / "end.vdb", ""), InvalidInput);
+}
+
+TEST(VdbReader, NeverAcceptsATruncatedFile) {
+  const TempFolder folder;
+  auto grid = small_grid("density");
+  grid->fill(CoordBBox(Coord(0), Coord(20, 20, 20)), 0.5F);
+  for (int i = 0; i < 500; ++i) grid->tree().setValueOn(Coord(i % 21, i % 17, i % 13), 0.01F * i);
+  const auto path = folder / "a.vdb";
+  write_grids(path, {grid});
+  const std::string whole = read_bytes(path);
+  ASSERT_GT(whole.size(), 5000U);
+  ASSERT_NO_THROW(read_vdb(path, ""));
+  std::vector<std::size_t> lengths;
+  for (std::size_t n = 0; n < 100; ++n) lengths.push_back(whole.size() * n / 100);
+  for (std::size_t cut = 1; cut <= 40; ++cut) lengths.push_back(whole.size() - cut);
+  for (const std::size_t length : lengths) {
+    write_bytes(path, whole.substr(0, length));
+    EXPECT_THROW(read_vdb(path, ""), InvalidInput) << length << " of " << whole.size();
+  }
+}
+
+TEST(VdbReader, RefusesBytesThatAreNoVdbFile) {
+  const TempFolder folder;
+  write_bytes(folder / "a.vdb", std::string(5000, 'x'));
+  const std::string message = message_of<InvalidInput>([&] { read_vdb(folder / "a.vdb", ""); });
+  EXPECT_TRUE(contains(message, "a.vdb")) << message;
+  write_bytes(folder / "empty.vdb", "");
+  EXPECT_THROW(read_vdb(folder / "empty.vdb", ""), InvalidInput);
+  EXPECT_THROW(read_vdb(folder / "missing.vdb", ""), InvalidInput);
+}
+
+TEST(VdbReader, ReadsFogVolumesOfOtherPrograms) {
+  for (const std::string name : {"torus01", "oiio_sphere"}) {
+    ISOLOOP_NEEDS("vdb/" + name + ".vdb");
+    const Volume volume = read_vdb(test::data("vdb/" + name + ".vdb"), "");
+    EXPECT_FALSE(volume.level_set) << name;
+    EXPECT_EQ(volume.frame, Frame::world) << name;
+    EXPECT_GT(value_range(volume).max, value_range(volume).min) << name;
+  }
+}
+
+TEST(VdbReader, TellsGridsOfOneNameApart) {
+  ISOLOOP_NEEDS("vdb/grids.vdb");
+  const auto path = test::data("vdb/grids.vdb");
+  const std::string message = message_of<InvalidArgument>([&] { read_vdb(path, "density"); });
+  EXPECT_TRUE(contains(message, "'density[0]' (float), 'density[1]' (float)")) << message;
+  EXPECT_EQ(read_vdb(path, "density[0]").name, "density");
+  EXPECT_NE(read_vdb(path, "density[0]").origin, read_vdb(path, "density[1]").origin);
+  EXPECT_THROW(read_vdb(path, "density[3]"), InvalidArgument);
+}
+
+TEST(VdbReader, ReadsALevelSetOfAnotherProgram) {
+  ISOLOOP_NEEDS("vdb/sphere.vdb");
+  const Volume volume = read_vdb(test::data("vdb/sphere.vdb"), "");
+  EXPECT_TRUE(volume.level_set);
+  EXPECT_LT(value_range(volume).min, 0.0);
+  EXPECT_EQ(at(volume, {0, 0, 0}), static_cast<float>(value_range(volume).max));
+}
+
+TEST(VdbReader, RefusesAVectorGridOfAnotherProgram) {
+  ISOLOOP_NEEDS("vdb/oiio_sphereCd.vdb");
+  const std::string message =
+      message_of<InvalidInput>([] { read_vdb(test::data("vdb/oiio_sphereCd.vdb"), ""); });
+  EXPECT_TRUE(contains(message, "vec3")) << message;
+}
+
+}  // namespace
+}  // namespace isoloop
