@@ -1,0 +1,148 @@
+#include "core/dual_pass.h"
+
+#include <algorithm>
+#include <atomic>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <tbb/parallel_for.h>
+
+#include "core/order.h"
+#include "tests/core_fixture.h"
+#include "tests/explicit_complex.h"
+
+namespace isoloop {
+namespace {
+
+using testing::Prepared;
+using testing::SmallVolume;
+
+using EdgeSet = std::set<std::uint32_t>;
+
+EdgeSet grid_edges(const GridComplex& complex, std::uint32_t piece) {
+  const auto edges = complex.edges_of(piece);
+  return {edges.begin(), edges.end()};
+}
+
+/// Compares the killing pieces with those of the slow reduction, and says what differs if anything
+/// does. Adds their number to `compared`.
+std::string compare_with_oracle(const SmallVolume& volume, std::atomic<std::size_t>& compared) {
+  const Prepared prepared(volume);
+  if (prepared.surface.points.empty()) return "";
+  const oracle::ExplicitComplex slow =
+      oracle::build_complex(volume.values, volume.dims, prepared.sides.lattice);
+  for (const Side side : {Side::inside, Side::outside}) {
+    const GridComplex& complex = prepared.complex(side);
+    const auto place = side == Side::inside ? oracle::ExplicitComplex::Place::inside
+                                            : oracle::ExplicitComplex::Place::outside;
+    std::map<EdgeSet, int> face_of_edges;
+    for (const auto& [face, edges] : slow.grid_edges_of_face)
+      if (slow.faces[static_cast<std::size_t>(face)].place == place)
+        face_of_edges.emplace(edges, face);
+    std::vector<std::uint32_t> order = pieces_from_largest(complex);
+    std::reverse(order.begin(), order.end());
+    if (order.size() != face_of_edges.size()) return "the pieces differ in number";
+    std::vector<int> faces;
+    std::map<int, std::uint32_t> piece_of_face;
+    for (const std::uint32_t piece : order) {
+      const auto found = face_of_edges.find(grid_edges(complex, piece));
+      if (found == face_of_edges.end()) return "the oracle lacks a piece";
+      faces.push_back(found->second);
+      piece_of_face[found->second] = piece;
+    }
+    std::vector<std::uint32_t> expected;
+    for (const int face : oracle::killing_faces(slow, faces))
+      expected.push_back(piece_of_face.at(face));
+    const DualPass pass = dual_pass(complex);
+    std::vector<std::uint32_t> found;
+    for (const KillingPiece& killing : pass.killing) found.push_back(killing.piece);
+    if (found != expected)
+      return "the killing pieces differ: " + std::to_string(found.size()) + " and " +
+             std::to_string(expected.size());
+    if (static_cast<std::int64_t>(found.size()) != prepared.surface.genus())
+      return "their number is not the genus";
+    if (!labels_are_consistent(complex, pass)) return "the labels are no cocycle";
+    compared += found.size();
+  }
+  return "";
+}
+
+/// `least`: killing pieces that must have come up, lest the comparison be empty.
+void expect_equal_on(int count, std::size_t least,
+                     const std::function<SmallVolume(std::uint32_t)>& make) {
+  std::atomic<std::size_t> compared = 0;
+  tbb::parallel_for(0, count, [&](int i) {
+    const std::string complaint =
+        compare_with_oracle(make(static_cast<std::uint32_t>(i)), compared);
+    EXPECT_EQ(complaint, "") << "volume " << i;
+  });
+  EXPECT_GE(compared, least);
+}
+
+Index3 random_dims(std::uint32_t seed, std::int64_t least, std::int64_t most) {
+  const std::int64_t span = most - least + 1;
+  return {least + seed % span, least + seed / 7 % span, least + seed / 31 % span};
+}
+
+TEST(DualPass, FindsTheKillingPiecesOfTheSlowReductionOnWhiteNoise) {
+  expect_equal_on(1200, 3'500, [](std::uint32_t i) { return testing::white_noise(random_dims(i, 2, 6), i); });
+}
+
+TEST(DualPass, FindsTheKillingPiecesOfTheSlowReductionOnSmoothNoise) {
+  expect_equal_on(900, 1'500, [](std::uint32_t i) {
+    return testing::smooth_noise(random_dims(i, 4, 9), i, 1 + static_cast<int>(i % 2));
+  });
+}
+
+TEST(DualPass, FindsTheKillingPiecesOfTheSlowReductionOnTwelveCubed) {
+  expect_equal_on(24, 400, [](std::uint32_t i) { return testing::smooth_noise({12, 12, 12}, i, 1); });
+}
+
+TEST(DualPass, FindsTheKillingPiecesOfTheSlowReductionOnShapes) {
+  const std::vector<SmallVolume> shapes{
+      testing::torus({12, 12, 12}), testing::torus({12, 11, 9}), testing::torus_shell({12, 12, 12}),
+      testing::linked_tori({12, 12, 12})};
+  expect_equal_on(static_cast<int>(shapes.size()), 12, [&](std::uint32_t i) { return shapes[i]; });
+}
+
+TEST(DualPass, AgreesWhenManySizesAreEqual) {
+  expect_equal_on(600, 60, [](std::uint32_t i) {
+    return testing::from_bits({3, 3, 3}, i * 2654435761U >> 3);
+  });
+}
+
+TEST(DualPass, PiecesOfALabelAreNoLargerThanItsKillingPiece) {
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    const Prepared prepared(testing::smooth_noise({14, 14, 14}, seed, 1));
+    for (const Side side : {Side::inside, Side::outside}) {
+      const GridComplex& complex = prepared.complex(side);
+      const DualPass pass = dual_pass(complex);
+      pass.labels.for_each([&](std::uint32_t piece, std::uint32_t label) {
+        for (const std::uint32_t generator : pass.pool.generators(label))
+          ASSERT_LE(std::pair(complex.size(piece), piece),
+                    std::pair(pass.killing[generator].size, pass.killing[generator].piece));
+      });
+    }
+  }
+}
+
+TEST(DualPass, InconsistentLabelsAreNoticed) {
+  const Prepared prepared(testing::torus({16, 16, 16}));
+  const GridComplex& complex = prepared.complex(Side::inside);
+  DualPass pass = dual_pass(complex);
+  ASSERT_TRUE(labels_are_consistent(complex, pass));
+  const std::uint32_t piece = pass.killing.front().piece;
+  const std::uint32_t own = pass.labels[piece];
+  pass.labels.set(piece, 0);
+  EXPECT_FALSE(labels_are_consistent(complex, pass));
+  pass.labels.set(piece, own);
+  ASSERT_TRUE(labels_are_consistent(complex, pass));
+}
+
+}  // namespace
+}  // namespace isoloop

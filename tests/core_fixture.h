@@ -1,0 +1,50 @@
+// The pipeline up to one side's complex, for tests of what comes after.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/closest.h"
+#include "core/dual_pass.h"
+#include "core/edge_index.h"
+#include "core/geodesic_size.h"
+#include "core/grid_complex.h"
+#include "core/sides.h"
+#include "core/surface.h"
+#include "tests/random_volumes.h"
+
+namespace isoloop::testing {
+
+inline constexpr IsoLevel zero_level{0.0, InsideRule::above};
+
+/// Owns what GridComplex refers to; not to be moved.
+struct Prepared {
+  explicit Prepared(const SmallVolume& from, GeodesicMode mode = GeodesicMode::exact)
+      : volume(from),
+        sides(classify(volume.view(), zero_level)),
+        edges(sides),
+        surface(extract_surface(volume.view(), zero_level, sides, edges)) {
+    if (surface.points.empty()) return;
+    closest = closest_surface_vertices(sides, edges, surface);
+    sizes = geodesic_sizes(sides, edges, surface, closest, mode);
+    inside = std::make_unique<GridComplex>(sides, edges, sizes, Side::inside);
+    outside = std::make_unique<GridComplex>(sides, edges, sizes, Side::outside);
+  }
+  Prepared(const Prepared&) = delete;
+  Prepared& operator=(const Prepared&) = delete;
+
+  const GridComplex& complex(Side side) const {
+    return side == Side::inside ? *inside : *outside;
+  }
+
+  SmallVolume volume;
+  Sides sides;
+  EdgeIndex edges;
+  Surface surface;
+  std::vector<std::uint32_t> closest;
+  EdgeSizes sizes;
+  std::unique_ptr<GridComplex> inside;
+  std::unique_ptr<GridComplex> outside;
+};
+
+}  // namespace isoloop::testing

@@ -1,0 +1,367 @@
+#include "tests/explicit_complex.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <tuple>
+
+namespace isoloop::oracle {
+namespace {
+
+using Place = ExplicitComplex::Place;
+using Position = std::array<int, 3>;
+
+/// Groups 0 .. n - 1 into classes.
+class Classes {
+ public:
+  explicit Classes(int n) : root_(static_cast<std::size_t>(n)) {
+    for (int i = 0; i < n; ++i) root_[i] = i;
+  }
+  int of(int i) const { return root_[i]; }
+  void merge(int a, int b) { std::replace(root_.begin(), root_.end(), root_[a], root_[b]); }
+
+ private:
+  std::vector<int> root_;
+};
+
+/// One square face: its corners in ring order and what M makes of it.
+struct CutFace {
+  struct Part {
+    bool inside;
+    std::vector<int> corners;  // positions in the ring
+    int face;                  // number in the complex
+  };
+  std::array<Position, 4> ring;
+  std::vector<Part> parts;
+  std::vector<int> segments;  // edge numbers
+};
+
+class Builder {
+ public:
+  Builder(const std::vector<double>& inside_value, const Index3& dims, const Lattice& box)
+      : value_(inside_value), dims_(dims), box_(box) {}
+
+  ExplicitComplex build() {
+    for_each_position([&](const Position& p) {
+      for (int axis = 0; axis < 3; ++axis)
+        if (fits(p, {axis})) add_grid_edge(p, axis);
+    });
+    for_each_position([&](const Position& p) {
+      for (int axis = 0; axis < 3; ++axis)
+        if (fits(p, {(axis + 1) % 3, (axis + 2) % 3})) cut_face(p, axis);
+    });
+    for_each_position([&](const Position& p) {
+      if (fits(p, {0, 1, 2})) cut_cube(p);
+    });
+    return std::move(complex_);
+  }
+
+ private:
+  template <class Visit>
+  void for_each_position(const Visit& visit) const {
+    for (int z = 0; z < static_cast<int>(box_.dims[2]); ++z)
+      for (int y = 0; y < static_cast<int>(box_.dims[1]); ++y)
+        for (int x = 0; x < static_cast<int>(box_.dims[0]); ++x) visit(Position{x, y, z});
+  }
+
+  bool fits(const Position& p, std::initializer_list<int> axes) const {
+    return std::all_of(axes.begin(), axes.end(),
+                       [&](int a) { return p[a] + 1 < static_cast<int>(box_.dims[a]); });
+  }
+
+  static Position step(Position p, int axis) {
+    ++p[axis];
+    return p;
+  }
+
+  double value(const Position& p) const {
+    std::int64_t index = 0;
+    for (int a = 2; a >= 0; --a) {
+      const std::int64_t i = p[a] + box_.first[a];
+      if (i < 0 || i >= dims_[a]) return -std::numeric_limits<double>::infinity();
+      index = index * dims_[a] + i;
+    }
+    return value_[static_cast<std::size_t>(index)];
+  }
+  bool inside(const Position& p) const { return value(p) >= 0; }
+  Place place(const Position& p) const { return inside(p) ? Place::inside : Place::outside; }
+
+  int grid_vertex(const Position& p) {
+    const auto [it, is_new] = grid_vertices_.try_emplace(p, static_cast<int>(complex_.vertices.size()));
+    if (is_new) complex_.vertices.push_back(place(p));
+    return it->second;
+  }
+
+  void add_grid_edge(const Position& p, int axis) {
+    const Position q = step(p, axis);
+    const int from = grid_vertex(p);
+    const int to = grid_vertex(q);
+    if (inside(p) == inside(q)) {
+      edge_ends_[{p, axis, inside(p)}] = static_cast<int>(complex_.edges.size());
+      complex_.edges.push_back({place(p), {from, to}});
+      return;
+    }
+    const int crossing = static_cast<int>(complex_.vertices.size());
+    complex_.vertices.push_back(Place::on_m);
+    crossings_[{p, axis}] = crossing;
+    edge_ends_[{p, axis, inside(p)}] = static_cast<int>(complex_.edges.size());
+    complex_.edges.push_back({place(p), {from, crossing}});
+    edge_ends_[{p, axis, inside(q)}] = static_cast<int>(complex_.edges.size());
+    complex_.edges.push_back({place(q), {to, crossing}});
+  }
+
+  /// Lower end and axis of the edge between two neighbours.
+  static std::pair<Position, int> edge_key(const Position& p, const Position& q) {
+    int axis = 0;
+    while (p[axis] == q[axis]) ++axis;
+    return {std::min(p, q), axis};
+  }
+
+  std::uint32_t grid_edge_number(const std::pair<Position, int>& key) const {
+    const Position& p = key.first;
+    return 3 * box_.vertex(static_cast<std::uint32_t>(p[0]), static_cast<std::uint32_t>(p[1]),
+                           static_cast<std::uint32_t>(p[2])) +
+           static_cast<std::uint32_t>(key.second);
+  }
+
+  /// Of an ambiguous face: whether the bilinear interpolant's saddle is inside.
+  bool saddle_is_inside(const std::array<Position, 4>& ring) const {
+    const double a = value(ring[0]), b = value(ring[1]), c = value(ring[2]), d = value(ring[3]);
+    return (a * c - b * d) / (a + c - b - d) > 0;
+  }
+
+  void cut_face(const Position& p, int axis) {
+    const int b = (axis + 1) % 3;
+    const int c = (axis + 2) % 3;
+    CutFace face;
+    face.ring = {p, step(p, b), step(step(p, b), c), step(p, c)};
+    const auto& ring = face.ring;
+    Classes parts(4);
+    int changes = 0;
+    for (int i = 0; i < 4; ++i) {
+      if (inside(ring[i]) == inside(ring[(i + 1) % 4]))
+        parts.merge(i, (i + 1) % 4);
+      else
+        ++changes;
+    }
+    if (changes == 4) {
+      const int joined = inside(ring[0]) == saddle_is_inside(ring) ? 0 : 1;
+      parts.merge(joined, joined + 2);
+    }
+    for (int root = 0; root < 4; ++root) {
+      CutFace::Part part{inside(ring[root]), {}, 0};
+      for (int i = 0; i < 4; ++i)
+        if (parts.of(i) == root) part.corners.push_back(i);
+      if (!part.corners.empty()) face.parts.push_back(part);
+    }
+    add_segments(face);
+    for (CutFace::Part& part : face.parts) add_part(face, part);
+    faces_[{p, axis}] = face;
+  }
+
+  /// M leaves a part along one segment for each stretch of the ring that the part leaves out.
+  void add_segments(CutFace& face) {
+    const auto& ring = face.ring;
+    const auto crossing = [&](int i) { return crossings_.at(edge_key(ring[i % 4], ring[(i + 1) % 4])); };
+    // Parts of fewer corners are convex: one segment each, across the two cut edges that bound
+    // their stretch of the ring. With two parts of two corners, one segment serves both.
+    std::size_t wanted = face.parts.size() - 1;
+    std::vector<CutFace::Part> by_corners = face.parts;
+    std::stable_sort(by_corners.begin(), by_corners.end(), [](const auto& l, const auto& r) {
+      return l.corners.size() < r.corners.size();
+    });
+    for (const CutFace::Part& part : by_corners) {
+      if (wanted == 0) break;
+      std::vector<int> ends;
+      for (int i = 0; i < 4; ++i) {
+        const bool here = std::count(part.corners.begin(), part.corners.end(), i) > 0;
+        const bool next = std::count(part.corners.begin(), part.corners.end(), (i + 1) % 4) > 0;
+        if (here != next) ends.push_back(crossing(i));
+      }
+      if (ends.size() != 2) continue;  // the joined part of an ambiguous face
+      face.segments.push_back(static_cast<int>(complex_.edges.size()));
+      complex_.edges.push_back({Place::on_m, {ends[0], ends[1]}});
+      --wanted;
+    }
+  }
+
+  void add_part(const CutFace& face, CutFace::Part& part) {
+    ExplicitComplex::Cell cell{part.inside ? Place::inside : Place::outside, {}};
+    std::set<std::uint32_t> grid_edges;
+    std::set<int> corners(part.corners.begin(), part.corners.end());
+    std::map<int, int> degree;
+    for (int i = 0; i < 4; ++i) {
+      if (!corners.contains(i) && !corners.contains((i + 1) % 4)) continue;
+      const auto key = edge_key(face.ring[i], face.ring[(i + 1) % 4]);
+      const int edge = edge_ends_.at({key.first, key.second, part.inside});
+      cell.boundary.insert(edge);
+      grid_edges.insert(grid_edge_number(key));
+      for (const int v : complex_.edges[edge].boundary) ++degree[v];
+    }
+    // The segments are those that close the border at its loose crossings.
+    for (const int segment : face.segments) {
+      const Chain& ends = complex_.edges[segment].boundary;
+      if (std::all_of(ends.begin(), ends.end(), [&](int v) { return degree[v] == 1; }))
+        cell.boundary.insert(segment);
+    }
+    part.face = static_cast<int>(complex_.faces.size());
+    complex_.grid_edges_of_face[part.face] = grid_edges;
+    complex_.faces.push_back(cell);
+  }
+
+  void cut_cube(const Position& p) {
+    std::vector<const CutFace*> sides;
+    for (int axis = 0; axis < 3; ++axis) {
+      sides.push_back(&faces_.at({p, axis}));
+      sides.push_back(&faces_.at({step(p, axis), axis}));
+    }
+    const std::vector<int> polygons = add_polygons(sides);
+    // Parts of the cube's surface that share a corner belong to one cell.
+    std::vector<const CutFace::Part*> parts;
+    std::vector<std::set<Position>> corners;
+    for (const CutFace* face : sides)
+      for (const CutFace::Part& part : face->parts) {
+        parts.push_back(&part);
+        corners.emplace_back();
+        for (const int i : part.corners) corners.back().insert(face->ring[i]);
+      }
+    Classes cells(static_cast<int>(parts.size()));
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k)
+        if (std::any_of(corners[i].begin(), corners[i].end(),
+                        [&](const Position& c) { return corners[k].contains(c); }))
+          cells.merge(static_cast<int>(i), static_cast<int>(k));
+    for (int root = 0; root < static_cast<int>(parts.size()); ++root) {
+      ExplicitComplex::Cell cell{parts[root]->inside ? Place::inside : Place::outside, {}};
+      Chain border;
+      for (int i = 0; i < static_cast<int>(parts.size()); ++i) {
+        if (cells.of(i) != root) continue;
+        cell.boundary.insert(parts[i]->face);
+        add(border, complex_.faces[parts[i]->face].boundary);
+      }
+      if (cell.boundary.empty()) continue;
+      for (const int polygon : polygons)  // what is left open is M
+        if (border.contains(*complex_.faces[polygon].boundary.begin()))
+          cell.boundary.insert(polygon);
+      complex_.solids.push_back(cell);
+    }
+  }
+
+  /// Strings the segments on the cube's faces into closed curves.
+  std::vector<int> add_polygons(const std::vector<const CutFace*>& sides) {
+    std::vector<int> segments;
+    for (const CutFace* face : sides)
+      segments.insert(segments.end(), face->segments.begin(), face->segments.end());
+    Classes curves(static_cast<int>(segments.size()));
+    for (std::size_t i = 0; i < segments.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k) {
+        const Chain& a = complex_.edges[segments[i]].boundary;
+        const Chain& b = complex_.edges[segments[k]].boundary;
+        if (std::any_of(a.begin(), a.end(), [&](int v) { return b.contains(v); }))
+          curves.merge(static_cast<int>(i), static_cast<int>(k));
+      }
+    std::vector<int> polygons;
+    for (int root = 0; root < static_cast<int>(segments.size()); ++root) {
+      ExplicitComplex::Cell polygon{Place::on_m, {}};
+      for (int i = 0; i < static_cast<int>(segments.size()); ++i)
+        if (curves.of(i) == root) polygon.boundary.insert(segments[i]);
+      if (polygon.boundary.empty()) continue;
+      polygons.push_back(static_cast<int>(complex_.faces.size()));
+      complex_.faces.push_back(polygon);
+    }
+    return polygons;
+  }
+
+  const std::vector<double>& value_;
+  Index3 dims_;
+  const Lattice& box_;
+  ExplicitComplex complex_;
+  std::map<Position, int> grid_vertices_;
+  std::map<std::pair<Position, int>, int> crossings_;
+  std::map<std::tuple<Position, int, bool>, int> edge_ends_;  // by lower end, axis, side
+  std::map<std::pair<Position, int>, CutFace> faces_;
+};
+
+/// Reduces columns in order; rows of greater number come later. Returns the reduced columns.
+std::vector<Chain> reduce(std::vector<Chain> columns) {
+  std::map<int, std::size_t> column_of_low;
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    while (!columns[c].empty()) {
+      const auto [at, is_new] = column_of_low.try_emplace(*columns[c].rbegin(), c);
+      if (is_new) break;
+      add(columns[c], columns[at->second]);
+    }
+  }
+  return columns;
+}
+
+std::int64_t rank(const std::vector<ExplicitComplex::Cell>& cells,
+                  const std::function<bool(Place)>& counts) {
+  std::vector<Chain> columns;
+  for (const auto& cell : cells)
+    if (counts(cell.place)) columns.push_back(cell.boundary);
+  columns = reduce(std::move(columns));
+  return std::count_if(columns.begin(), columns.end(), [](const Chain& c) { return !c.empty(); });
+}
+
+}  // namespace
+
+void add(Chain& a, const Chain& b) {
+  for (const int cell : b)
+    if (const auto [at, is_new] = a.insert(cell); !is_new) a.erase(at);
+}
+
+ExplicitComplex build_complex(const std::vector<double>& inside_value, const Index3& dims,
+                              const Lattice& box) {
+  return Builder(inside_value, dims, box).build();
+}
+
+std::array<std::int64_t, 3> betti_inside(const ExplicitComplex& complex) {
+  const auto counts = [](Place place) { return place != Place::outside; };
+  const auto number = [&](const auto& cells) {
+    return std::count_if(cells.begin(), cells.end(),
+                         [&](const auto& cell) { return counts(cell.place); });
+  };
+  const std::int64_t rank1 = rank(complex.edges, counts);
+  const std::int64_t rank2 = rank(complex.faces, counts);
+  const std::int64_t rank3 = rank(complex.solids, counts);
+  const std::int64_t vertices =
+      std::count_if(complex.vertices.begin(), complex.vertices.end(), counts);
+  return {vertices - rank1, number(complex.edges) - rank1 - rank2,
+          number(complex.faces) - rank2 - rank3};
+}
+
+std::int64_t euler_of_m(const ExplicitComplex& complex) {
+  const auto on_m = [](const auto& cell) { return cell.place == Place::on_m; };
+  return std::count(complex.vertices.begin(), complex.vertices.end(), Place::on_m) -
+         std::count_if(complex.edges.begin(), complex.edges.end(), on_m) +
+         std::count_if(complex.faces.begin(), complex.faces.end(), on_m);
+}
+
+std::vector<int> killing_faces(const ExplicitComplex& complex, const std::vector<int>& order) {
+  // M's edges come first in the filtration, so they take the lowest rows.
+  std::vector<int> row(complex.edges.size());
+  int next = 0;
+  for (const bool on_m : {true, false})
+    for (std::size_t e = 0; e < complex.edges.size(); ++e)
+      if ((complex.edges[e].place == Place::on_m) == on_m) row[e] = next++;
+  const auto m_rows = static_cast<int>(
+      std::count_if(complex.edges.begin(), complex.edges.end(),
+                    [](const auto& edge) { return edge.place == Place::on_m; }));
+  std::vector<Chain> columns;
+  const auto push = [&](const Chain& boundary) {
+    columns.emplace_back();
+    for (const int e : boundary) columns.back().insert(row[e]);
+  };
+  for (const auto& face : complex.faces)
+    if (face.place == Place::on_m) push(face.boundary);
+  const std::size_t first = columns.size();
+  for (const int face : order) push(complex.faces[face].boundary);
+  columns = reduce(std::move(columns));
+  std::vector<int> killing;
+  for (std::size_t c = first; c < columns.size(); ++c)
+    if (!columns[c].empty() && *columns[c].rbegin() < m_rows) killing.push_back(order[c - first]);
+  return killing;
+}
+
+}  // namespace isoloop::oracle

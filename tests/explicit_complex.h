@@ -1,0 +1,53 @@
+// K written out cell by cell from its definition, for small volumes: the oracle of core/. It shares
+// no table and no rule with core/cube, only the box that K fills.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "core/grid.h"
+#include "core/lattice.h"
+
+namespace isoloop::oracle {
+
+/// A chain over Z2: the numbers of its cells.
+using Chain = std::set<int>;
+
+/// Adds `b` to `a` over Z2.
+void add(Chain& a, const Chain& b);
+
+/// Boundaries of K's cells, dimension by dimension. `on_m`, `inside`: where each cell lies; a cell
+/// of M is on_m, and neither inside nor outside.
+struct ExplicitComplex {
+  enum class Place { on_m, inside, outside };
+
+  std::vector<Place> vertices;
+  struct Cell {
+    Place place;
+    Chain boundary;
+  };
+  std::vector<Cell> edges;      // boundary: vertices
+  std::vector<Cell> faces;      // pieces of cube faces and polygons of M; boundary: edges
+  std::vector<Cell> solids;     // parts of cubes; boundary: faces
+  /// For each piece of a cube face (not for polygons of M): its full and halved grid edges.
+  std::map<int, std::set<std::uint32_t>> grid_edges_of_face;
+};
+
+/// `inside_value`: non-negative exactly inside; by voxel of `dims`. `box`: the lattice to fill.
+ExplicitComplex build_complex(const std::vector<double>& inside_value, const Index3& dims,
+                              const Lattice& box);
+
+/// Betti numbers of I closed up to M, by the ranks of its boundary matrices.
+std::array<std::int64_t, 3> betti_inside(const ExplicitComplex& complex);
+
+/// Euler characteristic of M.
+std::int64_t euler_of_m(const ExplicitComplex& complex);
+
+/// PAIR, slowly: M first, then the faces in `order` (all pieces on one side). Returns those whose
+/// reduced boundary is a cycle on M that is not a boundary yet.
+std::vector<int> killing_faces(const ExplicitComplex& complex, const std::vector<int>& order);
+
+}  // namespace isoloop::oracle

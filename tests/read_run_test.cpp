@@ -1,0 +1,33 @@
+#include "tools/read_run.h"
+
+#include <gtest/gtest.h>
+
+#include "core/errors.h"
+#include "tests/scratch_directory.h"
+
+namespace isoloop {
+namespace {
+
+TEST(ReadRun, SettlesVolumeRangeAndLevel) {
+  const ScratchDirectory scratch;
+  scratch.write("x.raw", std::string("\1\2\3\4", 4));
+  const std::string file = (scratch.path() / "x.raw").string();
+  const RunResult run = read_run({.file = file, .dims = "2 2 1", .type = "u8", .spacing = "0.5"},
+                                 {.iso = 2.5, .inside = "below"});
+  EXPECT_EQ(run.file, file);
+  EXPECT_EQ(run.volume.dims, (Index3{2, 2, 1}));
+  EXPECT_EQ(run.volume.spacing, (Vec3{0.5, 0.5, 0.5}));
+  EXPECT_EQ(run.range.min, 1.0);
+  EXPECT_EQ(run.range.max, 4.0);
+  EXPECT_EQ(run.level.iso, 2.5);
+  EXPECT_EQ(run.level.inside, InsideRule::below);
+  EXPECT_GT(run.cost.read_seconds, 0.0);
+}
+
+TEST(ReadRun, RefusesAFlagBeforeItReads) {
+  EXPECT_THROW(read_run({.file = "/no/such/file.raw", .dims = "2 2"}, {}), InvalidArgument);
+  EXPECT_THROW(read_run({.file = "/no/such/file.raw", .dims = "2 2 2"}, {}), InvalidInput);
+}
+
+}  // namespace
+}  // namespace isoloop
