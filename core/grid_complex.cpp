@@ -168,11 +168,14 @@ std::uint32_t GridComplex::cell_at(std::uint32_t cube, std::uint32_t corner) con
 
 float GridComplex::size(std::uint32_t piece) const {
   float largest = 0.0F;
-  for (const std::uint32_t edge : edges_of(piece))
-    largest = std::max(largest, side_ == Side::outside && edges_.is_cut(edge)
-                                    ? sizes_.of_outside_half[edges_.vertex_on(edge)]
-                                    : sizes_.by_edge[edge]);
+  for (const std::uint32_t edge : edges_of(piece)) largest = std::max(largest, edge_size(edge));
   return largest;
+}
+
+float GridComplex::edge_size(std::uint32_t edge) const {
+  return side_ == Side::outside && edges_.is_cut(edge)
+             ? sizes_.of_outside_half[edges_.vertex_on(edge)]
+             : sizes_.by_edge[edge];
 }
 
 std::array<std::uint32_t, 2> GridComplex::cells(std::uint32_t piece) const {

@@ -28,6 +28,7 @@ class GridComplex {
   std::vector<std::uint32_t> pieces() const;
   std::vector<std::uint32_t> edges() const;
   float size(std::uint32_t piece) const;
+  float edge_size(std::uint32_t edge) const;  // of an interior edge, or of its half on this side
   std::array<std::uint32_t, 2> cells(std::uint32_t piece) const;
   ShortList<std::uint32_t, 4> edges_of(std::uint32_t piece) const;
   ShortList<std::uint32_t, 4> ring(std::uint32_t edge) const;

@@ -1,5 +1,3 @@
-#include "core/betti.h"
-
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -10,6 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include "core/analysis.h"
+#include "core/betti.h"
 #include "core/sides.h"
 #include "tests/explicit_complex.h"
 #include "tests/random_volumes.h"
@@ -47,11 +46,19 @@ TEST(Betti, EqualTheRanksOnAllBlocksOfTwoByTwoByThree) {
 }
 
 TEST(Betti, EqualTheRanksOnRandomBlocksOfThreeCubed) {
-  EXPECT_EQ(differences(100'000, [](std::uint32_t i) { return testing::white_noise({3, 3, 3}, i); }), 0);
+  EXPECT_EQ(differences(100'000,
+                        [](std::uint32_t i) {
+                          return testing::white_noise({3, 3, 3}, i);
+                        }),
+            0);
 }
 
 TEST(Betti, EqualTheRanksOnLargerNoise) {
-  EXPECT_EQ(differences(200, [](std::uint32_t i) { return testing::smooth_noise({9, 8, 7}, i, 1); }), 0);
+  EXPECT_EQ(differences(200,
+                        [](std::uint32_t i) {
+                          return testing::smooth_noise({9, 8, 7}, i, 1);
+                        }),
+            0);
 }
 
 TEST(Betti, TellCavitiesFromComponents) {
@@ -66,8 +73,8 @@ TEST(Betti, SurviveTheFortyEightSymmetries) {
     std::array<int, 3> permutation{0, 1, 2};
     do {
       for (int flips = 0; flips < 8; ++flips)
-        ASSERT_EQ(counted(testing::transformed(volume, permutation,
-                                               {(flips & 1) != 0, (flips & 2) != 0, (flips & 4) != 0})),
+        ASSERT_EQ(counted(testing::transformed(
+                      volume, permutation, {(flips & 1) != 0, (flips & 2) != 0, (flips & 4) != 0})),
                   expected);
     } while (std::next_permutation(permutation.begin(), permutation.end()));
   }

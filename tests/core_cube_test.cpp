@@ -1,5 +1,3 @@
-#include "core/cube.h"
-
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -9,6 +7,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "core/cube.h"
 
 namespace isoloop {
 namespace {
@@ -88,8 +88,8 @@ TEST(Cube, EveryPatchIsADisc) {
         vertices.insert(a);
         edges.insert(std::minmax(a, b));
       }
-    const auto euler = static_cast<int>(vertices.size()) - static_cast<int>(edges.size()) +
-                       cut.triangle_count;
+    const auto euler =
+        static_cast<int>(vertices.size()) - static_cast<int>(edges.size()) + cut.triangle_count;
     EXPECT_EQ(euler, cut.polygon_count) << inside << " " << joined;
   });
 }
@@ -117,7 +117,7 @@ TEST(Cube, NoTwoCubesShareADiagonal) {
   // Diagonals between edges of one face: those that a cube below may draw on its upper face and
   // those that a cube above may draw on its lower face, in the face's own terms.
   for (int axis = 0; axis < 3; ++axis) {
-    const auto [b, c] = cross_axes(axis);
+    const auto across = cross_axes(axis);
     std::array<std::set<DirectedEdge>, 2> drawn;
     for_each_cut([&](unsigned inside, unsigned joined, const CubeCut& cut) {
       const std::set<DirectedEdge> segments = face_segments(inside, joined);
@@ -131,7 +131,7 @@ TEST(Cube, NoTwoCubesShareADiagonal) {
           if (!on_face(edge.first) || !on_face(edge.second)) continue;
           const auto in_face_terms = [&](int e) {
             const int lower = edge_corners(e)[0];
-            return 4 * (e / 4) + 2 * (lower >> b & 1) + (lower >> c & 1);
+            return 4 * (e / 4) + 2 * (lower >> across[0] & 1) + (lower >> across[1] & 1);
           };
           drawn[offset].insert(std::minmax(in_face_terms(edge.first), in_face_terms(edge.second)));
         }

@@ -1,5 +1,3 @@
-#include "core/dual_pass.h"
-
 #include <algorithm>
 #include <atomic>
 #include <functional>
@@ -12,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <tbb/parallel_for.h>
 
+#include "core/dual_pass.h"
 #include "core/order.h"
 #include "tests/core_fixture.h"
 #include "tests/explicit_complex.h"
@@ -90,7 +89,8 @@ Index3 random_dims(std::uint32_t seed, std::int64_t least, std::int64_t most) {
 }
 
 TEST(DualPass, FindsTheKillingPiecesOfTheSlowReductionOnWhiteNoise) {
-  expect_equal_on(1200, 3'500, [](std::uint32_t i) { return testing::white_noise(random_dims(i, 2, 6), i); });
+  expect_equal_on(1200, 3'500,
+                  [](std::uint32_t i) { return testing::white_noise(random_dims(i, 2, 6), i); });
 }
 
 TEST(DualPass, FindsTheKillingPiecesOfTheSlowReductionOnSmoothNoise) {
@@ -100,13 +100,15 @@ TEST(DualPass, FindsTheKillingPiecesOfTheSlowReductionOnSmoothNoise) {
 }
 
 TEST(DualPass, FindsTheKillingPiecesOfTheSlowReductionOnTwelveCubed) {
-  expect_equal_on(24, 400, [](std::uint32_t i) { return testing::smooth_noise({12, 12, 12}, i, 1); });
+  expect_equal_on(24, 400, [](std::uint32_t i) {
+    return testing::smooth_noise({12, 12, 12}, i, 1);
+  });
 }
 
 TEST(DualPass, FindsTheKillingPiecesOfTheSlowReductionOnShapes) {
-  const std::vector<SmallVolume> shapes{
-      testing::torus({12, 12, 12}), testing::torus({12, 11, 9}), testing::torus_shell({12, 12, 12}),
-      testing::linked_tori({12, 12, 12})};
+  const std::vector<SmallVolume> shapes{testing::torus({12, 12, 12}), testing::torus({12, 11, 9}),
+                                        testing::torus_shell({12, 12, 12}),
+                                        testing::linked_tori({12, 12, 12})};
   expect_equal_on(static_cast<int>(shapes.size()), 12, [&](std::uint32_t i) { return shapes[i]; });
 }
 

@@ -33,9 +33,7 @@ struct Prepared {
   Prepared(const Prepared&) = delete;
   Prepared& operator=(const Prepared&) = delete;
 
-  const GridComplex& complex(Side side) const {
-    return side == Side::inside ? *inside : *outside;
-  }
+  const GridComplex& complex(Side side) const { return side == Side::inside ? *inside : *outside; }
 
   SmallVolume volume;
   Sides sides;

@@ -1,8 +1,7 @@
-#include "core/surface.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <map>
 #include <set>
@@ -12,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/surface.h"
 #include "tests/core_fixture.h"
 #include "tests/explicit_complex.h"
 
@@ -34,6 +34,14 @@ Cut cut_volume(const SmallVolume& volume, const Vec3& spacing = {1, 1, 1}) {
   EdgeIndex edges(sides);
   Surface surface = extract_surface(view, zero_level, sides, edges);
   return {std::move(sides), std::move(edges), std::move(surface)};
+}
+
+/// From the middle of a cube of `side` voxels to its voxel number n.
+double distance_to_middle(int n, int side) {
+  const double middle = 0.5 * (side - 1);
+  const std::div_t rows = std::div(n, side);
+  const std::div_t layers = std::div(rows.quot, side);
+  return std::hypot(rows.rem - middle, layers.rem - middle, layers.quot - middle);
 }
 
 /// Whether the triangles round every vertex form one fan that closes.
@@ -66,7 +74,8 @@ std::string complaint_about_manifold(const Surface& surface) {
 
 TEST(Surface, IsAClosedManifoldOnWhiteNoise) {
   for (std::uint32_t seed = 0; seed < 200; ++seed)
-    ASSERT_EQ(complaint_about_manifold(cut_volume(testing::white_noise({6, 7, 5}, seed)).surface), "")
+    ASSERT_EQ(complaint_about_manifold(cut_volume(testing::white_noise({6, 7, 5}, seed)).surface),
+              "")
         << seed;
 }
 
@@ -84,8 +93,7 @@ TEST(Surface, EulerCharacteristicIsThatOfTheWrittenOutComplex) {
 
 TEST(Surface, EnclosesThePositiveVolumeOfABall) {
   SmallVolume ball{{}, {21, 21, 21}};
-  for (int n = 0; n < 21 * 21 * 21; ++n)
-    ball.values.push_back(8.0 - std::hypot(n % 21 - 10.0, n / 21 % 21 - 10.0, n / 441 - 10.0));
+  for (int n = 0; n < 21 * 21 * 21; ++n) ball.values.push_back(8.0 - distance_to_middle(n, 21));
   const Surface surface = cut_volume(ball, {1.0, 0.5, 2.0}).surface;
   double volume = 0.0;
   for (const auto& t : surface.triangles) {
@@ -110,7 +118,8 @@ TEST(Surface, VerticesLieStrictlyWithinTheirGridEdges) {
     const std::uint32_t edge = cut.surface.grid_edges[v];
     const auto lower = cut.sides.lattice.position(edge / 3);
     for (std::uint32_t a = 0; a < 3; ++a) {
-      const double along = cut.surface.points[v][a] - static_cast<double>(cut.sides.lattice.first[a]) - lower[a];
+      const double along =
+          cut.surface.points[v][a] - static_cast<double>(cut.sides.lattice.first[a]) - lower[a];
       if (a == edge % 3) {
         EXPECT_GE(along, 0.0009);
         EXPECT_LE(along, 0.9991);
@@ -133,7 +142,7 @@ TEST(Surface, InfiniteVoxelsGiveFinitePoints) {
 TEST(Surface, MarksTheWallOfACavity) {
   SmallVolume shell{{}, {15, 15, 15}};
   for (int n = 0; n < 15 * 15 * 15; ++n) {
-    const double r = std::hypot(n % 15 - 7.0, n / 15 % 15 - 7.0, n / 225 - 7.0);
+    const double r = distance_to_middle(n, 15);
     shell.values.push_back(std::min(6.2 - r, r - 2.9));
   }
   const Surface surface = cut_volume(shell).surface;

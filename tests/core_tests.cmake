@@ -1,9 +1,25 @@
 isoloop_add_tests(isoloop_core_tests
   SOURCES
+    core_analysis_test.cpp
     core_betti_test.cpp
+    core_bounded_search_test.cpp
+    core_certificate_test.cpp
+    core_closest_test.cpp
     core_cube_test.cpp
     core_dual_pass_test.cpp
+    core_edge_index_test.cpp
+    core_geodesic_size_test.cpp
+    core_grid_complex_test.cpp
+    core_killing_border_test.cpp
+    core_label_test.cpp
+    core_loop_search_test.cpp
+    core_loops_test.cpp
+    core_sides_test.cpp
+    core_surface_hierarchy_test.cpp
     core_surface_test.cpp
+    core_z2_basis_test.cpp
     explicit_complex.cpp
+    layers_test.cpp
     random_volumes.cpp
   LIBRARIES isoloop::core TBB::tbb)
+target_compile_definitions(isoloop_core_tests PRIVATE ISOLOOP_SOURCE="${PROJECT_SOURCE_DIR}")

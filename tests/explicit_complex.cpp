@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <tuple>
+#include <unordered_map>
 
 namespace isoloop::oracle {
 namespace {
@@ -24,6 +26,12 @@ class Classes {
   std::vector<int> root_;
 };
 
+bool holds(const Chain& chain, int cell) {
+  return std::binary_search(chain.begin(), chain.end(), cell);
+}
+
+Chain ends_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+
 /// One square face: its corners in ring order and what M makes of it.
 struct CutFace {
   struct Part {
@@ -39,7 +47,13 @@ struct CutFace {
 class Builder {
  public:
   Builder(const std::vector<double>& inside_value, const Index3& dims, const Lattice& box)
-      : value_(inside_value), dims_(dims), box_(box) {}
+      : value_(inside_value),
+        dims_(dims),
+        box_(box),
+        grid_vertices_(box.vertex_count(), -1),
+        crossings_(3 * std::size_t{box.vertex_count()}, -1),
+        edge_ends_(6 * std::size_t{box.vertex_count()}, -1),
+        faces_(3 * std::size_t{box.vertex_count()}) {}
 
   ExplicitComplex build() {
     for_each_position([&](const Position& p) {
@@ -87,41 +101,50 @@ class Builder {
   Place place(const Position& p) const { return inside(p) ? Place::inside : Place::outside; }
 
   int grid_vertex(const Position& p) {
-    const auto [it, is_new] = grid_vertices_.try_emplace(p, static_cast<int>(complex_.vertices.size()));
-    if (is_new) complex_.vertices.push_back(place(p));
-    return it->second;
+    int& vertex = grid_vertices_[number(p, 0) / 3];
+    if (vertex < 0) {
+      vertex = static_cast<int>(complex_.vertices.size());
+      complex_.vertices.push_back(place(p));
+    }
+    return vertex;
+  }
+
+  /// Of the grid edge or face with lowest corner p, as Lattice has it.
+  std::size_t number(const Position& p, int axis) const {
+    return 3 * std::size_t{box_.vertex(static_cast<std::uint32_t>(p[0]),
+                                       static_cast<std::uint32_t>(p[1]),
+                                       static_cast<std::uint32_t>(p[2]))} +
+           static_cast<std::size_t>(axis);
+  }
+  int& edge_end(std::size_t grid_edge, bool is_inside) {
+    return edge_ends_[2 * grid_edge + (is_inside ? 1 : 0)];
+  }
+
+  void add_edge(std::size_t grid_edge, const Position& p, int from, int to) {
+    edge_end(grid_edge, inside(p)) = static_cast<int>(complex_.edges.size());
+    complex_.edges.push_back({place(p), ends_of(from, to)});
   }
 
   void add_grid_edge(const Position& p, int axis) {
     const Position q = step(p, axis);
+    const std::size_t edge = number(p, axis);
     const int from = grid_vertex(p);
     const int to = grid_vertex(q);
     if (inside(p) == inside(q)) {
-      edge_ends_[{p, axis, inside(p)}] = static_cast<int>(complex_.edges.size());
-      complex_.edges.push_back({place(p), {from, to}});
+      add_edge(edge, p, from, to);
       return;
     }
-    const int crossing = static_cast<int>(complex_.vertices.size());
+    crossings_[edge] = static_cast<int>(complex_.vertices.size());
     complex_.vertices.push_back(Place::on_m);
-    crossings_[{p, axis}] = crossing;
-    edge_ends_[{p, axis, inside(p)}] = static_cast<int>(complex_.edges.size());
-    complex_.edges.push_back({place(p), {from, crossing}});
-    edge_ends_[{p, axis, inside(q)}] = static_cast<int>(complex_.edges.size());
-    complex_.edges.push_back({place(q), {to, crossing}});
+    add_edge(edge, p, from, crossings_[edge]);
+    add_edge(edge, q, to, crossings_[edge]);
   }
 
-  /// Lower end and axis of the edge between two neighbours.
-  static std::pair<Position, int> edge_key(const Position& p, const Position& q) {
+  /// Number of the edge between two neighbours.
+  std::size_t edge_between(const Position& p, const Position& q) const {
     int axis = 0;
     while (p[axis] == q[axis]) ++axis;
-    return {std::min(p, q), axis};
-  }
-
-  std::uint32_t grid_edge_number(const std::pair<Position, int>& key) const {
-    const Position& p = key.first;
-    return 3 * box_.vertex(static_cast<std::uint32_t>(p[0]), static_cast<std::uint32_t>(p[1]),
-                           static_cast<std::uint32_t>(p[2])) +
-           static_cast<std::uint32_t>(key.second);
+    return number(std::min(p, q), axis);
   }
 
   /// Of an ambiguous face: whether the bilinear interpolant's saddle is inside.
@@ -156,13 +179,15 @@ class Builder {
     }
     add_segments(face);
     for (CutFace::Part& part : face.parts) add_part(face, part);
-    faces_[{p, axis}] = face;
+    faces_[number(p, axis)] = std::move(face);
   }
 
   /// M leaves a part along one segment for each stretch of the ring that the part leaves out.
   void add_segments(CutFace& face) {
     const auto& ring = face.ring;
-    const auto crossing = [&](int i) { return crossings_.at(edge_key(ring[i % 4], ring[(i + 1) % 4])); };
+    const auto crossing = [&](int i) {
+      return crossings_[edge_between(ring[i % 4], ring[(i + 1) % 4])];
+    };
     // Parts of fewer corners are convex: one segment each, across the two cut edges that bound
     // their stretch of the ring. With two parts of two corners, one segment serves both.
     std::size_t wanted = face.parts.size() - 1;
@@ -180,7 +205,7 @@ class Builder {
       }
       if (ends.size() != 2) continue;  // the joined part of an ambiguous face
       face.segments.push_back(static_cast<int>(complex_.edges.size()));
-      complex_.edges.push_back({Place::on_m, {ends[0], ends[1]}});
+      complex_.edges.push_back({Place::on_m, ends_of(ends[0], ends[1])});
       --wanted;
     }
   }
@@ -188,22 +213,25 @@ class Builder {
   void add_part(const CutFace& face, CutFace::Part& part) {
     ExplicitComplex::Cell cell{part.inside ? Place::inside : Place::outside, {}};
     std::set<std::uint32_t> grid_edges;
-    std::set<int> corners(part.corners.begin(), part.corners.end());
-    std::map<int, int> degree;
+    const auto has = [&](int i) {
+      return std::count(part.corners.begin(), part.corners.end(), i) > 0;
+    };
+    std::unordered_map<int, int> degree;
     for (int i = 0; i < 4; ++i) {
-      if (!corners.contains(i) && !corners.contains((i + 1) % 4)) continue;
-      const auto key = edge_key(face.ring[i], face.ring[(i + 1) % 4]);
-      const int edge = edge_ends_.at({key.first, key.second, part.inside});
-      cell.boundary.insert(edge);
-      grid_edges.insert(grid_edge_number(key));
+      if (!has(i) && !has((i + 1) % 4)) continue;
+      const std::size_t grid_edge = edge_between(face.ring[i], face.ring[(i + 1) % 4]);
+      const int edge = edge_end(grid_edge, part.inside);
+      cell.boundary.push_back(edge);
+      grid_edges.insert(static_cast<std::uint32_t>(grid_edge));
       for (const int v : complex_.edges[edge].boundary) ++degree[v];
     }
     // The segments are those that close the border at its loose crossings.
     for (const int segment : face.segments) {
       const Chain& ends = complex_.edges[segment].boundary;
       if (std::all_of(ends.begin(), ends.end(), [&](int v) { return degree[v] == 1; }))
-        cell.boundary.insert(segment);
+        cell.boundary.push_back(segment);
     }
+    std::sort(cell.boundary.begin(), cell.boundary.end());
     part.face = static_cast<int>(complex_.faces.size());
     complex_.grid_edges_of_face[part.face] = grid_edges;
     complex_.faces.push_back(cell);
@@ -212,37 +240,39 @@ class Builder {
   void cut_cube(const Position& p) {
     std::vector<const CutFace*> sides;
     for (int axis = 0; axis < 3; ++axis) {
-      sides.push_back(&faces_.at({p, axis}));
-      sides.push_back(&faces_.at({step(p, axis), axis}));
+      sides.push_back(&faces_[number(p, axis)]);
+      sides.push_back(&faces_[number(step(p, axis), axis)]);
     }
     const std::vector<int> polygons = add_polygons(sides);
     // Parts of the cube's surface that share a corner belong to one cell.
     std::vector<const CutFace::Part*> parts;
-    std::vector<std::set<Position>> corners;
+    std::vector<std::vector<Position>> corners;
     for (const CutFace* face : sides)
       for (const CutFace::Part& part : face->parts) {
         parts.push_back(&part);
         corners.emplace_back();
-        for (const int i : part.corners) corners.back().insert(face->ring[i]);
+        for (const int i : part.corners) corners.back().push_back(face->ring[i]);
       }
     Classes cells(static_cast<int>(parts.size()));
     for (std::size_t i = 0; i < parts.size(); ++i)
       for (std::size_t k = 0; k < i; ++k)
-        if (std::any_of(corners[i].begin(), corners[i].end(),
-                        [&](const Position& c) { return corners[k].contains(c); }))
+        if (std::any_of(corners[i].begin(), corners[i].end(), [&](const Position& c) {
+              return std::count(corners[k].begin(), corners[k].end(), c) > 0;
+            }))
           cells.merge(static_cast<int>(i), static_cast<int>(k));
     for (int root = 0; root < static_cast<int>(parts.size()); ++root) {
       ExplicitComplex::Cell cell{parts[root]->inside ? Place::inside : Place::outside, {}};
       Chain border;
       for (int i = 0; i < static_cast<int>(parts.size()); ++i) {
         if (cells.of(i) != root) continue;
-        cell.boundary.insert(parts[i]->face);
-        add(border, complex_.faces[parts[i]->face].boundary);
+        cell.boundary.push_back(parts[i]->face);
+        border = sum(border, complex_.faces[parts[i]->face].boundary);
       }
       if (cell.boundary.empty()) continue;
       for (const int polygon : polygons)  // what is left open is M
-        if (border.contains(*complex_.faces[polygon].boundary.begin()))
-          cell.boundary.insert(polygon);
+        if (holds(border, complex_.faces[polygon].boundary.front()))
+          cell.boundary.push_back(polygon);
+      std::sort(cell.boundary.begin(), cell.boundary.end());
       complex_.solids.push_back(cell);
     }
   }
@@ -257,15 +287,16 @@ class Builder {
       for (std::size_t k = 0; k < i; ++k) {
         const Chain& a = complex_.edges[segments[i]].boundary;
         const Chain& b = complex_.edges[segments[k]].boundary;
-        if (std::any_of(a.begin(), a.end(), [&](int v) { return b.contains(v); }))
+        if (std::any_of(a.begin(), a.end(), [&](int v) { return holds(b, v); }))
           curves.merge(static_cast<int>(i), static_cast<int>(k));
       }
     std::vector<int> polygons;
     for (int root = 0; root < static_cast<int>(segments.size()); ++root) {
       ExplicitComplex::Cell polygon{Place::on_m, {}};
       for (int i = 0; i < static_cast<int>(segments.size()); ++i)
-        if (curves.of(i) == root) polygon.boundary.insert(segments[i]);
+        if (curves.of(i) == root) polygon.boundary.push_back(segments[i]);
       if (polygon.boundary.empty()) continue;
+      std::sort(polygon.boundary.begin(), polygon.boundary.end());
       polygons.push_back(static_cast<int>(complex_.faces.size()));
       complex_.faces.push_back(polygon);
     }
@@ -276,20 +307,20 @@ class Builder {
   Index3 dims_;
   const Lattice& box_;
   ExplicitComplex complex_;
-  std::map<Position, int> grid_vertices_;
-  std::map<std::pair<Position, int>, int> crossings_;
-  std::map<std::tuple<Position, int, bool>, int> edge_ends_;  // by lower end, axis, side
-  std::map<std::pair<Position, int>, CutFace> faces_;
+  std::vector<int> grid_vertices_;  // by lattice vertex
+  std::vector<int> crossings_;      // by grid edge
+  std::vector<int> edge_ends_;      // by grid edge and side
+  std::vector<CutFace> faces_;      // by lattice face
 };
 
 /// Reduces columns in order; rows of greater number come later. Returns the reduced columns.
 std::vector<Chain> reduce(std::vector<Chain> columns) {
-  std::map<int, std::size_t> column_of_low;
+  std::unordered_map<int, std::size_t> column_of_low;
   for (std::size_t c = 0; c < columns.size(); ++c) {
     while (!columns[c].empty()) {
-      const auto [at, is_new] = column_of_low.try_emplace(*columns[c].rbegin(), c);
+      const auto [at, is_new] = column_of_low.try_emplace(columns[c].back(), c);
       if (is_new) break;
-      add(columns[c], columns[at->second]);
+      columns[c] = sum(columns[c], columns[at->second]);
     }
   }
   return columns;
@@ -306,9 +337,10 @@ std::int64_t rank(const std::vector<ExplicitComplex::Cell>& cells,
 
 }  // namespace
 
-void add(Chain& a, const Chain& b) {
-  for (const int cell : b)
-    if (const auto [at, is_new] = a.insert(cell); !is_new) a.erase(at);
+Chain sum(const Chain& a, const Chain& b) {
+  Chain result;
+  std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
+  return result;
 }
 
 ExplicitComplex build_complex(const std::vector<double>& inside_value, const Index3& dims,
@@ -345,13 +377,14 @@ std::vector<int> killing_faces(const ExplicitComplex& complex, const std::vector
   for (const bool on_m : {true, false})
     for (std::size_t e = 0; e < complex.edges.size(); ++e)
       if ((complex.edges[e].place == Place::on_m) == on_m) row[e] = next++;
-  const auto m_rows = static_cast<int>(
-      std::count_if(complex.edges.begin(), complex.edges.end(),
-                    [](const auto& edge) { return edge.place == Place::on_m; }));
+  const auto m_rows =
+      static_cast<int>(std::count_if(complex.edges.begin(), complex.edges.end(),
+                                     [](const auto& edge) { return edge.place == Place::on_m; }));
   std::vector<Chain> columns;
   const auto push = [&](const Chain& boundary) {
     columns.emplace_back();
-    for (const int e : boundary) columns.back().insert(row[e]);
+    for (const int e : boundary) columns.back().push_back(row[e]);
+    std::sort(columns.back().begin(), columns.back().end());
   };
   for (const auto& face : complex.faces)
     if (face.place == Place::on_m) push(face.boundary);
@@ -360,7 +393,7 @@ std::vector<int> killing_faces(const ExplicitComplex& complex, const std::vector
   columns = reduce(std::move(columns));
   std::vector<int> killing;
   for (std::size_t c = first; c < columns.size(); ++c)
-    if (!columns[c].empty() && *columns[c].rbegin() < m_rows) killing.push_back(order[c - first]);
+    if (!columns[c].empty() && columns[c].back() < m_rows) killing.push_back(order[c - first]);
   return killing;
 }
 

@@ -13,11 +13,10 @@
 
 namespace isoloop::oracle {
 
-/// A chain over Z2: the numbers of its cells.
-using Chain = std::set<int>;
+/// A chain over Z2: the numbers of its cells, ascending.
+using Chain = std::vector<int>;
 
-/// Adds `b` to `a` over Z2.
-void add(Chain& a, const Chain& b);
+Chain sum(const Chain& a, const Chain& b);
 
 /// Boundaries of K's cells, dimension by dimension. `on_m`, `inside`: where each cell lies; a cell
 /// of M is on_m, and neither inside nor outside.
@@ -29,9 +28,9 @@ struct ExplicitComplex {
     Place place;
     Chain boundary;
   };
-  std::vector<Cell> edges;      // boundary: vertices
-  std::vector<Cell> faces;      // pieces of cube faces and polygons of M; boundary: edges
-  std::vector<Cell> solids;     // parts of cubes; boundary: faces
+  std::vector<Cell> edges;   // boundary: vertices
+  std::vector<Cell> faces;   // pieces of cube faces and polygons of M; boundary: edges
+  std::vector<Cell> solids;  // parts of cubes; boundary: faces
   /// For each piece of a cube face (not for polygons of M): its full and halved grid edges.
   std::map<int, std::set<std::uint32_t>> grid_edges_of_face;
 };

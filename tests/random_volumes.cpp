@@ -17,8 +17,8 @@ SmallVolume sampled(const Index3& dims, const Value& value) {
   for (std::int64_t z = 0; z < dims[2]; ++z)
     for (std::int64_t y = 0; y < dims[1]; ++y)
       for (std::int64_t x = 0; x < dims[0]; ++x)
-        volume.values.push_back(value(static_cast<double>(x), static_cast<double>(y),
-                                      static_cast<double>(z)));
+        volume.values.push_back(
+            value(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)));
   return volume;
 }
 
@@ -55,7 +55,8 @@ SmallVolume smooth_noise(const Index3& dims, std::uint32_t seed, int rounds) {
     volume = sampled(dims, [&](double x, double y, double z) {
       double sum = 0.0;
       for (int d = 0; d < 27; ++d) {
-        Index3 p{static_cast<std::int64_t>(x) + d % 3 - 1, static_cast<std::int64_t>(y) + d / 3 % 3 - 1,
+        Index3 p{static_cast<std::int64_t>(x) + d % 3 - 1,
+                 static_cast<std::int64_t>(y) + d / 3 % 3 - 1,
                  static_cast<std::int64_t>(z) + d / 9 - 1};
         for (int a = 0; a < 3; ++a) p[a] = std::clamp<std::int64_t>(p[a], 0, dims[a] - 1);
         sum += before.values[static_cast<std::size_t>(p[0] + dims[0] * (p[1] + dims[1] * p[2]))];
@@ -116,8 +117,8 @@ SmallVolume transformed(const SmallVolume& volume, const std::array<int, 3>& per
       const auto i = static_cast<std::int64_t>(q[a]);
       p[permutation[a]] = flip[a] ? dims[a] - 1 - i : i;
     }
-    return volume.values[static_cast<std::size_t>(
-        p[0] + volume.dims[0] * (p[1] + volume.dims[1] * p[2]))];
+    return volume
+        .values[static_cast<std::size_t>(p[0] + volume.dims[0] * (p[1] + volume.dims[1] * p[2]))];
   });
 }
 

@@ -1,5 +1,7 @@
 #include "tools/read_run.h"
 
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include "core/errors.h"
@@ -8,12 +10,20 @@
 namespace isoloop {
 namespace {
 
+VolumeFlags raw_flags(const std::string& file, const std::string& dims) {
+  VolumeFlags flags;
+  flags.file = file;
+  flags.dims = dims;
+  flags.type = "u8";
+  flags.spacing = "0.5";
+  return flags;
+}
+
 TEST(ReadRun, SettlesVolumeRangeAndLevel) {
   const ScratchDirectory scratch;
   scratch.write("x.raw", std::string("\1\2\3\4", 4));
   const std::string file = (scratch.path() / "x.raw").string();
-  const RunResult run = read_run({.file = file, .dims = "2 2 1", .type = "u8", .spacing = "0.5"},
-                                 {.iso = 2.5, .inside = "below"});
+  const RunResult run = read_run(raw_flags(file, "2 2 1"), {.iso = 2.5, .inside = "below"});
   EXPECT_EQ(run.file, file);
   EXPECT_EQ(run.volume.dims, (Index3{2, 2, 1}));
   EXPECT_EQ(run.volume.spacing, (Vec3{0.5, 0.5, 0.5}));
@@ -25,8 +35,8 @@ TEST(ReadRun, SettlesVolumeRangeAndLevel) {
 }
 
 TEST(ReadRun, RefusesAFlagBeforeItReads) {
-  EXPECT_THROW(read_run({.file = "/no/such/file.raw", .dims = "2 2"}, {}), InvalidArgument);
-  EXPECT_THROW(read_run({.file = "/no/such/file.raw", .dims = "2 2 2"}, {}), InvalidInput);
+  EXPECT_THROW(read_run(raw_flags("/no/such/file.raw", "2 2"), {}), InvalidArgument);
+  EXPECT_THROW(read_run(raw_flags("/no/such/file.raw", "2 2 2"), {}), InvalidInput);
 }
 
 }  // namespace

@@ -76,9 +76,10 @@ TEST(ReportMesh, PaintsHandlesGreenAndTunnelsRed) {
   EXPECT_TRUE(is_green(mesh.vertices[1]));
   EXPECT_TRUE(is_red(mesh.vertices[3]));
   EXPECT_TRUE(is_grey(mesh.vertices[4]));
-  for (std::size_t i = 0; i < 3 * tube_sides; ++i) {
+  constexpr std::size_t one_tube = std::size_t{3} * tube_sides;
+  for (std::size_t i = 0; i < one_tube; ++i) {
     EXPECT_TRUE(is_green(mesh.vertices[9 + i]));
-    EXPECT_TRUE(is_red(mesh.vertices[9 + 3 * tube_sides + i]));
+    EXPECT_TRUE(is_red(mesh.vertices[9 + one_tube + i]));
   }
 }
 

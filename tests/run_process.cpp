@@ -25,6 +25,7 @@ ProcessResult run_isoloop(const std::filesystem::path& directory,
   std::vector<std::string> words{ISOLOOP_EXECUTABLE};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
 

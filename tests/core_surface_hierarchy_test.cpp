@@ -1,0 +1,69 @@
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "core/disjoint_sets.h"
+#include "core/surface_hierarchy.h"
+#include "tests/core_fixture.h"
+
+namespace isoloop {
+namespace {
+
+TEST(SurfaceHierarchy, ClustersAreTheConnectedPartsOfBlocks) {
+  const testing::Prepared p(testing::smooth_noise({18, 17, 16}, 3, 1), GeodesicMode::hierarchy);
+  const Surface& surface = p.surface;
+  ClusterLevel level = finest_level(surface);
+  for (int k = 1; k <= 3; ++k) {
+    level = coarser_level(level);
+    const auto block = [&](std::uint32_t v) {
+      std::array<std::int64_t, 3> b{};
+      for (int a = 0; a < 3; ++a)
+        b[a] = static_cast<std::int64_t>(std::floor(surface.points[v][a])) >> k;
+      return b;
+    };
+    DisjointSets parts(surface.graph.vertex_count());
+    for (std::uint32_t u = 0; u < surface.graph.vertex_count(); ++u)
+      surface.graph.for_each_out_edge(u, [&](std::uint32_t v, std::uint32_t) {
+        if (block(u) == block(v)) parts.unite(u, v);
+      });
+    std::map<std::uint32_t, std::uint32_t> cluster_of_part;
+    std::set<std::uint32_t> clusters;
+    for (std::uint32_t v = 0; v < surface.graph.vertex_count(); ++v) {
+      const auto [at, is_new] =
+          cluster_of_part.try_emplace(parts.find(v), level.cluster_of_vertex[v]);
+      ASSERT_EQ(at->second, level.cluster_of_vertex[v]);
+      EXPECT_EQ(clusters.insert(at->second).second, is_new) << "one cluster for two parts";
+    }
+    EXPECT_EQ(clusters.size(), level.centers.size());
+  }
+}
+
+TEST(SurfaceHierarchy, TwoStepGraphReachesNeighboursOfNeighbours) {
+  const testing::Prepared p(testing::torus({16, 16, 16}), GeodesicMode::hierarchy);
+  const ClusterLevel level = coarser_level(finest_level(p.surface));
+  const EdgeGraph graph = two_step_graph(level);
+  std::set<std::pair<std::uint32_t, std::uint32_t>> expected;
+  const auto clusters = static_cast<std::uint32_t>(level.centers.size());
+  for (std::uint32_t a = 0; a < clusters; ++a)
+    level.neighbors.for_each_out_edge(a, [&](std::uint32_t b, std::uint32_t) {
+      expected.emplace(a, b);
+      level.neighbors.for_each_out_edge(b, [&](std::uint32_t c, std::uint32_t) {
+        if (c != a) expected.emplace(a, c);
+      });
+    });
+  std::set<std::pair<std::uint32_t, std::uint32_t>> found;
+  for (std::uint32_t a = 0; a < clusters; ++a)
+    graph.for_each_out_edge(a, [&](std::uint32_t b, std::uint32_t edge) {
+      found.emplace(a, b);
+      EXPECT_FLOAT_EQ(graph.lengths[edge],
+                      static_cast<float>(distance(level.centers[a], level.centers[b])));
+    });
+  EXPECT_EQ(found, expected);
+}
+
+}  // namespace
+}  // namespace isoloop
