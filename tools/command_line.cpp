@@ -27,7 +27,7 @@ void parse_and_run(const std::vector<std::string>& arguments) {
   app.set_version_flag("--version", "isoloop " ISOLOOP_VERSION);
   app.footer(
       "Examples:\n"
-      "  isoloop generate engine_block --size 96 -o block.vdb\n"
+      "  isoloop generate engine_block --size 128 -o block.vdb\n"
       "  isoloop loops block.vdb --ply loops.ply\n"
       "  isoloop count engine_256x256x128_uint8.raw --iso 70\n"
       "isoloop COMMAND -h explains a command.\n"

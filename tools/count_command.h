@@ -1,9 +1,7 @@
 // The subcommand `isoloop count`.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "tools/cli_app.h"
 
 namespace isoloop {
 

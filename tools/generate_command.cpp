@@ -70,7 +70,7 @@ void generate(const GenerateFlags& flags) {
 void add_generate_command(CLI::App& app) {
   CLI::App& command = *app.add_subcommand("generate", "write a solid of known topology");
   auto flags = std::make_shared<GenerateFlags>();
-  command.add_option("SHAPE", flags->shape, "one of " + names_text())->required();
+  command.add_option("SHAPE", flags->shape, "one of " + names_text())->required()->type_name("");
   command.add_option("--size", flags->options.size, "voxels along the longest axis")
       ->type_name("N")
       ->capture_default_str();
@@ -85,7 +85,7 @@ void add_generate_command(CLI::App& app) {
       ->required();
   command.footer(
       "Examples:\n"
-      "  isoloop generate engine_block --size 96 -o block.vdb\n"
+      "  isoloop generate engine_block --size 128 -o block.vdb\n"
       "  isoloop generate plate --size 200 --holes 12 -o plate.raw\n"
       "  isoloop generate lattice --size 128 --cells 4 -o lattice_128x128x128_float32.raw");
   command.callback([flags] { generate(*flags); });

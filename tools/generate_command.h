@@ -1,9 +1,7 @@
 // The subcommand `isoloop generate`.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "tools/cli_app.h"
 
 namespace isoloop {
 

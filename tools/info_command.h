@@ -1,9 +1,7 @@
 // The subcommand `isoloop info`.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "tools/cli_app.h"
 
 namespace isoloop {
 

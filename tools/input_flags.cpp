@@ -57,7 +57,7 @@ std::size_t numbers_after(std::string_view flag) {
 }  // namespace
 
 void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
-  command.add_option("FILE", flags.file, "volume to read: .vdb, .raw")->required();
+  command.add_option("FILE", flags.file, "volume to read: .raw or .vdb")->required()->type_name("");
   command.add_option("--dims", flags.dims, "voxels along x, y and z of a raw file")
       ->type_name("X Y Z");
   command
@@ -66,9 +66,10 @@ void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
       ->type_name("TYPE");
   command.add_option("--endian", flags.endian, "byte order of a raw file")
       ->check(CLI::IsMember({"little", "big"}))
-      ->type_name("little|big")
+      ->type_name("ORDER")
       ->capture_default_str();
   command.add_option("--skip", flags.skip, "bytes before the first voxel of a raw file")
+      ->check(CLI::NonNegativeNumber)
       ->type_name("BYTES");
   command
       .add_option("--spacing", flags.spacing,
@@ -95,7 +96,7 @@ void add_level_flags(CLI::App& command, LevelFlags& flags) {
           "which values are inside: above is f >= iso (default), below is f <= iso (default "
           "for a level set)")
       ->check(CLI::IsMember({"above", "below"}))
-      ->type_name("above|below");
+      ->type_name("RULE");
 }
 
 ReadOptions read_options(const VolumeFlags& flags) {

@@ -8,11 +8,8 @@
 #include <vector>
 
 #include "core/grid.h"
+#include "tools/cli_app.h"
 #include "volume/read.h"
-
-namespace CLI {
-class App;
-}
 
 namespace isoloop {
 

@@ -21,6 +21,12 @@ bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
   return std::filesystem::equivalent(a, b, error) || absolute(a) == absolute(b);
 }
 
+std::string clash(const std::string& flag, const std::string& name, const char* what) {
+  std::string sentence = flag;
+  sentence.append(" ").append(name).append(" would overwrite ").append(what);
+  return sentence;
+}
+
 }  // namespace
 
 void OutputFiles::add(const std::string& flag, const std::string& name, const Report& report) {
@@ -30,12 +36,12 @@ void OutputFiles::add(const std::string& flag, const std::string& name, const Re
     const bool both_stdout = is_stdout(name) && is_stdout(other.name);
     const bool both_files = !is_stdout(name) && !is_stdout(other.name);
     if (both_stdout || (both_files && same_file(name, other.name))) {
-      throw InvalidArgument(flag + " " + name + " would overwrite another output");
+      throw InvalidArgument(clash(flag, name, "another output"));
     }
   }
   if (!is_stdout(name)) {
     if (same_file(name, input_)) {
-      throw InvalidArgument(flag + " " + name + " would overwrite the input");
+      throw InvalidArgument(clash(flag, name, "the input"));
     }
     check_writable(name);
   }

@@ -89,6 +89,7 @@ std::vector<Tube> tubes_of(const RunResult& run, double radius) {
   for (const Loop& loop : run.reported) {
     for (const auto& curve : loop.curves) {
       std::vector<Vec3> polyline;
+      polyline.reserve(curve.size());
       for (const std::uint32_t vertex : curve) polyline.push_back(world_point(run, vertex));
       tubes.push_back(closed_tube(polyline, radius));
     }
