@@ -1,5 +1,6 @@
 #include "core/analysis.h"
 
+#include <algorithm>
 #include <chrono>
 #include <iterator>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "core/edge_index.h"
 #include "core/errors.h"
 #include "core/grid_complex.h"
+#include "core/pair_loops.h"
 #include "core/sides.h"
 
 namespace isoloop {
@@ -72,6 +74,33 @@ Passes run_passes(const GridComplex& inside, const GridComplex& outside, std::in
   return passes;
 }
 
+/// Both engines ran under the same total order, so they must name the same killing pieces.
+void check_engines_agree(const std::vector<SurfacePair>& pairs, const Passes& passes) {
+  std::vector<std::uint32_t> of_dual;
+  for (const KillingPiece& killing : passes.inside.killing) of_dual.push_back(killing.piece);
+  for (const KillingPiece& killing : passes.outside.killing) of_dual.push_back(killing.piece);
+  const auto same_piece = [](const SurfacePair& pair, std::uint32_t piece) {
+    return pair.piece == piece;
+  };
+  if (!std::equal(pairs.begin(), pairs.end(), of_dual.begin(), of_dual.end(), same_piece))
+    throw SelfCheckFailed("PAIR and the dual pass find different killing pieces");
+}
+
+std::vector<Loop> short_loops(const Surface& surface, const SurfaceClasses& classes,
+                              const SolvedSide& inside, const SolvedSide& outside,
+                              const std::vector<std::uint32_t>& closest) {
+  std::vector<Loop> loops = loops_of_side(surface, classes, inside, closest);
+  std::vector<Loop> tunnels = loops_of_side(surface, classes, outside, closest);
+  std::move(tunnels.begin(), tunnels.end(), std::back_inserter(loops));
+  return loops;
+}
+
+std::uint64_t count_volume_triangles(const Cut& cut) {
+  const EdgeSizes no_sizes;  // counting asks for none
+  return fan_triangle_count(GridComplex(cut.sides, cut.edges, no_sizes, Side::inside)) +
+         fan_triangle_count(GridComplex(cut.sides, cut.edges, no_sizes, Side::outside));
+}
+
 }  // namespace
 
 Analysis count_topology(const AnyGridView& grid, const IsoLevel& level,
@@ -103,17 +132,25 @@ Analysis find_loops(const AnyGridView& grid, const IsoLevel& level,
     const GridComplex outside(cut.sides, cut.edges, sizes, Side::outside);
     const Passes passes = clock.run("pass", 0.5, seconds.pass,
                                     [&] { return run_passes(inside, outside, surface.genus()); });
+    if (options.engine == Engine::pair)
+      analysis.pairs = clock.run("pair", 0.7, seconds.pair, [&] {
+        std::vector<SurfacePair> pairs = pair_simplices(surface, inside, outside, options.pair);
+        if (orders_by_size(options.pair.refinement)) check_engines_agree(pairs, passes);
+        return pairs;
+      });
     analysis.loops = clock.run("loops", 0.8, seconds.loops, [&] {
       const SurfaceClasses classes =
           surface_classes(surface, inside, passes.inside, outside, passes.outside);
-      std::vector<Loop> loops = loops_of_side(surface, classes, {inside, passes.inside}, closest);
-      std::vector<Loop> tunnels =
-          loops_of_side(surface, classes, {outside, passes.outside}, closest);
-      std::move(tunnels.begin(), tunnels.end(), std::back_inserter(loops));
+      std::vector<Loop> loops = options.engine == Engine::pair
+                                    ? loops_of_pairs(surface, analysis.pairs)
+                                    : short_loops(surface, classes, {inside, passes.inside},
+                                                  {outside, passes.outside}, closest);
       certify(surface, classes, loops);
       return loops;
     });
   }
+  if (options.count_volume_triangles && !cut.sides.empty())
+    analysis.volume_triangles = count_volume_triangles(cut);
   analysis.surface = std::move(cut.surface);
   return analysis;
 }

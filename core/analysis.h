@@ -1,6 +1,7 @@
 // The whole pipeline: volume -> M -> closest vertices -> sizes -> order -> labels -> loops.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "core/geodesic_size.h"
 #include "core/grid.h"
 #include "core/loops.h"
+#include "core/pair.h"
 #include "core/surface.h"
 
 namespace isoloop {
@@ -15,9 +17,17 @@ namespace isoloop {
 /// Told at the start of each stage, and now and then within it. May be called from any thread.
 using Progress = std::function<void(const char* stage, double share_done)>;
 
+/// dual: the dual pass and a search for short loops. pair: the paper's PAIR and HANTUN, which take
+/// the killed cycles as they are; the dual pass runs too: its classes certify the loops, and under
+/// the order by size its killing pieces must be those of PAIR.
+enum class Engine { dual, pair };
+
 struct AnalysisOptions {
   GeodesicMode geodesic = GeodesicMode::hierarchy;
-  Progress progress;  // may be empty
+  Engine engine = Engine::dual;
+  PairOptions pair{};                   // read by the engine `pair` alone
+  bool count_volume_triangles = false;  // fills Analysis::volume_triangles
+  Progress progress;                    // may be empty
 };
 
 /// Wall-clock seconds of each stage.
@@ -26,13 +36,16 @@ struct StageSeconds {
   double closest = 0.0;
   double sizes = 0.0;
   double pass = 0.0;
+  double pair = 0.0;  // of the engine `pair` alone
   double loops = 0.0;
 };
 
 struct Analysis {
   Surface surface;
   Betti betti;
-  std::vector<Loop> loops;  // handles by size, then tunnels by size; every one certified
+  std::vector<Loop> loops;             // handles by size, then tunnels by size; every one certified
+  std::vector<SurfacePair> pairs;      // engine `pair`: what pair_simplices() returns
+  std::uint64_t volume_triangles = 0;  // of K off M, both sides; 0 unless asked for
   StageSeconds seconds;
 };
 

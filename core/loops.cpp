@@ -33,6 +33,22 @@ SplitClass split(const SurfaceClasses& classes, LoopKind kind, std::span<const s
 
 std::string name_of(LoopKind kind) { return kind == LoopKind::handle ? "handle" : "tunnel"; }
 
+Vec3 center_of(const Surface& surface, std::span<const Curve> curves) {
+  Vec3 sum{};
+  double weight = 0.0;
+  for (const Curve& curve : curves)
+    for (std::size_t k = 0; k < curve.size(); ++k) {
+      const std::uint32_t u = curve[k];
+      const std::uint32_t v = curve[(k + 1) % curve.size()];
+      const double length = distance(scaled_point(surface, u), scaled_point(surface, v));
+      weight += length;
+      for (int a = 0; a < 3; ++a)
+        sum[a] += length * (surface.points[u][a] + surface.points[v][a]) / 2;
+    }
+  for (double& x : sum) x /= weight;
+  return sum;
+}
+
 class LoopFinder {
  public:
   LoopFinder(const Surface& surface, const SurfaceClasses& classes, const SolvedSide& side,
@@ -47,16 +63,10 @@ class LoopFinder {
   }
 
   Loop find(std::uint32_t i, LoopSearch& search) const {
-    Loop loop;
-    loop.kind = kind_;
-    loop.id = static_cast<int>(i) + 1;
-    loop.size = side_.pass.killing[i].size;
-    loop.curves = single_curve(i, search);
-    if (loop.curves.empty()) loop.curves = tightened_border(i, search);
-    loop.length = length_of(surface_, loop.curves);
-    loop.component = surface_.component_of_vertex[loop.curves.front().front()];
-    loop.center_index = center_of(loop.curves);
-    return loop;
+    std::vector<Curve> curves = single_curve(i, search);
+    if (curves.empty()) curves = tightened_border(i, search);
+    return measured_loop(surface_, kind_, static_cast<int>(i) + 1, side_.pass.killing[i].size,
+                         std::move(curves));
   }
 
  private:
@@ -132,22 +142,6 @@ class LoopFinder {
     return tight;
   }
 
-  Vec3 center_of(std::span<const Curve> curves) const {
-    Vec3 sum{};
-    double weight = 0.0;
-    for (const Curve& curve : curves)
-      for (std::size_t k = 0; k < curve.size(); ++k) {
-        const std::uint32_t u = curve[k];
-        const std::uint32_t v = curve[(k + 1) % curve.size()];
-        const double length = distance(scaled_point(surface_, u), scaled_point(surface_, v));
-        weight += length;
-        for (int a = 0; a < 3; ++a)
-          sum[a] += length * (surface_.points[u][a] + surface_.points[v][a]) / 2;
-      }
-    for (double& x : sum) x /= weight;
-    return sum;
-  }
-
   const Surface& surface_;
   const SurfaceClasses& classes_;
   SolvedSide side_;
@@ -158,6 +152,19 @@ class LoopFinder {
 };
 
 }  // namespace
+
+Loop measured_loop(const Surface& surface, LoopKind kind, int id, double size,
+                   std::vector<Curve> curves) {
+  Loop loop;
+  loop.kind = kind;
+  loop.id = id;
+  loop.size = size;
+  loop.curves = std::move(curves);
+  loop.length = length_of(surface, loop.curves);
+  loop.component = surface.component_of_vertex[loop.curves.front().front()];
+  loop.center_index = center_of(surface, loop.curves);
+  return loop;
+}
 
 std::vector<Loop> loops_of_side(const Surface& surface, const SurfaceClasses& classes,
                                 const SolvedSide& side, const std::vector<std::uint32_t>& closest) {

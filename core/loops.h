@@ -33,6 +33,10 @@ struct Loop {
   LoopCertificate certificate;
 };
 
+/// A loop with its measures; not certified. `size`: unit of the spacing. `curves`: not empty.
+Loop measured_loop(const Surface& surface, LoopKind kind, int id, double size,
+                   std::vector<Curve> curves);
+
 /// One side of M as far as the passes have brought it.
 struct SolvedSide {
   const GridComplex& complex;

@@ -1,4 +1,5 @@
 // Promises of the command line, kept by the built executable.
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <filesystem>
@@ -240,6 +241,38 @@ TEST_F(CommandLine, JsonOnStandardOutputStandsAlone) {
   EXPECT_TRUE(Json::accept(result.out)) << result.out;
 }
 
+TEST_F(CommandLine, FindsTheLoopsOfARingByPair) {
+  scratch_.write("ring_5x5x3_uint8.raw", ring_bytes());
+  const ProcessResult result =
+      run({"loops", "ring_5x5x3_uint8.raw", "--iso", "1", "--engine", "pair", "--refine", "1",
+           "--dump-pairs", "pairs.csv", "--stats", "--json", "a.json"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("volume triangles"), std::string::npos) << result.out;
+  const Json json = Json::parse(scratch_.read("a.json"));
+  EXPECT_EQ(json.at("conventions").at("engine"), "pair");
+  EXPECT_EQ(json.at("conventions").at("refinement"), "1");
+  EXPECT_EQ(json.at("loops").size(), 2U);
+  const std::string pairs = scratch_.read("pairs.csv");
+  EXPECT_EQ(std::count(pairs.begin(), pairs.end(), '\n'), 3) << pairs;
+}
+
+TEST_F(CommandLine, StatisticsLeaveStandardOutputToTheReportThatAsksForIt) {
+  scratch_.write("ring_5x5x3_uint8.raw", ring_bytes());
+  const ProcessResult result =
+      run({"loops", "ring_5x5x3_uint8.raw", "--iso", "1", "--stats", "--json", "-"});
+  EXPECT_TRUE(Json::accept(result.out)) << result.out;
+  EXPECT_NE(result.err.find("volume triangles"), std::string::npos) << result.err;
+}
+
+TEST_F(CommandLine, FlagsOfTheOtherEngineAreAUsageError) {
+  scratch_.write("ring_5x5x3_uint8.raw", ring_bytes());
+  expect_failure({"loops", "ring_5x5x3_uint8.raw", "--iso", "1", "--refine", "1"}, 2, "--refine");
+  expect_failure({"loops", "ring_5x5x3_uint8.raw", "--iso", "1", "--dump-pairs", "p.csv"}, 2,
+                 "--dump-pairs");
+  expect_failure({"loops", "ring_5x5x3_uint8.raw", "--iso", "1", "--engine", "tree"}, 2,
+                 "--engine");
+}
+
 TEST_F(CommandLine, FiltersDoNotRenumber) {
   scratch_.write("ring_5x5x3_uint8.raw", ring_bytes());
   const Json json = Json::parse(
@@ -286,6 +319,10 @@ TEST_F(CommandLine, SameBytesForEveryThreadCount) {
     json.erase("seconds");
     json.erase("peak_bytes");
     outputs.push_back(json.dump());
+    const ProcessResult pairs =
+        run({"loops", "b.vdb", "--threads", threads, "--engine", "pair", "--dump-pairs", "-"});
+    ASSERT_EQ(pairs.exit_code, 0) << pairs.err;
+    outputs.back() += pairs.out;
   }
   EXPECT_EQ(outputs[0], outputs[1]);
   EXPECT_EQ(outputs[0], outputs[2]);

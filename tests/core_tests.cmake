@@ -2,6 +2,7 @@ isoloop_add_tests(isoloop_core_tests
   SOURCES
     core_analysis_test.cpp
     core_betti_test.cpp
+    core_bit_column_test.cpp
     core_bounded_search_test.cpp
     core_certificate_test.cpp
     core_closest_test.cpp
@@ -14,12 +15,23 @@ isoloop_add_tests(isoloop_core_tests
     core_label_test.cpp
     core_loop_search_test.cpp
     core_loops_test.cpp
+    core_pair_loops_test.cpp
+    core_pair_test.cpp
     core_sides_test.cpp
     core_surface_hierarchy_test.cpp
+    core_surface_order_test.cpp
     core_surface_test.cpp
     core_z2_basis_test.cpp
     explicit_complex.cpp
     layers_test.cpp
+    literal_pair.cpp
     random_volumes.cpp
   LIBRARIES isoloop::core TBB::tbb)
 target_compile_definitions(isoloop_core_tests PRIVATE ISOLOOP_SOURCE="${PROJECT_SOURCE_DIR}")
+
+# Ten thousand random volumes through both engines: minutes, so neither built nor run by default.
+#   cmake --build --preset release --target isoloop_slow_tests
+#   build/release/tests/isoloop_slow_tests
+add_executable(isoloop_slow_tests EXCLUDE_FROM_ALL core_pair_slow_test.cpp random_volumes.cpp)
+target_link_libraries(isoloop_slow_tests PRIVATE
+  isoloop::core isoloop_options TBB::tbb GTest::gtest_main)

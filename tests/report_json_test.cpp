@@ -104,6 +104,19 @@ TEST(ReportJson, NamesTheInsideRule) {
   EXPECT_EQ(parsed(run).at("conventions").at("inside"), "f >= 0.25");
 }
 
+TEST(ReportJson, NamesTheEngineAndItsRefinement) {
+  RunResult run = torus_run();
+  EXPECT_EQ(parsed(run).at("conventions").at("engine"), "dual");
+  EXPECT_FALSE(parsed(run).at("conventions").contains("refinement"));
+  EXPECT_FALSE(parsed(run).at("seconds").contains("pair"));
+  run.engine = Engine::pair;
+  run.refinement = Refinement::first;
+  run.analysis.seconds.pair = 0.5;
+  EXPECT_EQ(parsed(run).at("conventions").at("engine"), "pair");
+  EXPECT_EQ(parsed(run).at("conventions").at("refinement"), "1");
+  EXPECT_EQ(parsed(run).at("seconds").at("pair"), 0.5);
+}
+
 TEST(ReportJson, LeavesLoopsOutOfACount) {
   RunResult run = torus_run();
   run.with_loops = false;

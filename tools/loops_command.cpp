@@ -11,12 +11,15 @@
 #include <tbb/global_control.h>
 
 #include "core/errors.h"
+#include "tools/engine_flags.h"
 #include "tools/output_files.h"
 #include "tools/progress.h"
 #include "tools/read_run.h"
 #include "tools/report_csv.h"
 #include "tools/report_json.h"
 #include "tools/report_mesh.h"
+#include "tools/report_pairs.h"
+#include "tools/report_stats.h"
 #include "tools/report_table.h"
 
 namespace isoloop {
@@ -25,6 +28,7 @@ namespace {
 struct LoopsFlags {
   VolumeFlags volume;
   LevelFlags level;
+  EngineFlags engine;
   std::string json;  // file, "-" or empty
   std::string csv;   // file, "-" or empty
   std::string ply;   // file or empty
@@ -48,11 +52,13 @@ LoopFilter filter_of(const LoopsFlags& flags) {
 void find(const LoopsFlags& flags) {
   const auto start = std::chrono::steady_clock::now();
   const LoopFilter filter = filter_of(flags);
+  const PairOptions pair = pair_options(flags.engine);
   OutputFiles outputs(flags.volume.file);
   outputs.add("--json", flags.json, write_json);
   outputs.add("--csv", flags.csv, write_csv);
   outputs.add("--ply", flags.ply,
               [](std::ostream& out, const RunResult& run) { write_ply(out, run); });
+  outputs.add("--dump-pairs", flags.engine.dump_pairs, write_pairs);
   std::optional<tbb::global_control> threads;
   if (flags.threads > 0) {
     threads.emplace(tbb::global_control::max_allowed_parallelism,
@@ -62,9 +68,15 @@ void find(const LoopsFlags& flags) {
 
   RunResult run = read_run(flags.volume, flags.level);
   run.geodesic = flags.geodesic == "exact" ? GeodesicMode::exact : GeodesicMode::hierarchy;
+  run.engine = engine_of(flags.engine);
+  run.refinement = pair.refinement;
   run.filter = filter;
   run.analysis = find_loops(view(run.volume), run.level,
-                            {.geodesic = run.geodesic, .progress = progress.callback()});
+                            {.geodesic = run.geodesic,
+                             .engine = run.engine,
+                             .pair = pair,
+                             .count_volume_triangles = flags.engine.stats,
+                             .progress = progress.callback()});
   check_counts(run.analysis);
   check_loops(run.analysis);
   run.reported = select_loops(run.analysis.loops, filter);
@@ -75,6 +87,7 @@ void find(const LoopsFlags& flags) {
 
   outputs.write(run);
   if (!outputs.uses_stdout()) write_table(std::cout, run);
+  if (flags.engine.stats) write_stats(outputs.uses_stdout() ? std::cerr : std::cout << '\n', run);
   finish_stdout();
 }
 
@@ -89,7 +102,7 @@ void add_report_flags(CLI::App& command, LoopsFlags& flags) {
       ->type_name("SIZE");
   command.add_option("--side", flags.side, "report loops of this kind only")
       ->check(CLI::IsMember({"handle", "tunnel", "both"}))
-      ->type_name("handle|tunnel|both")
+      ->type_name("KIND")
       ->capture_default_str();
   command.add_option("--json", flags.json, "write counts and loops as JSON; - is standard output")
       ->type_name("FILE|-");
@@ -114,13 +127,14 @@ void add_loops_command(CLI::App& app) {
                   "how sizes are measured: exact is the definition to the letter and slow on thick "
                   "parts, hierarchy is exact up to five voxels")
       ->check(CLI::IsMember({"hierarchy", "exact"}))
-      ->type_name("hierarchy|exact")
+      ->type_name("HOW")
       ->capture_default_str();
   command
       .add_option("--threads", flags->threads,
                   "threads to use (default: one for each core); the result does not depend on it")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
+  add_engine_flags(command, flags->engine);
   add_report_flags(command, *flags);
   command.footer(
       "Examples:\n"

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/engine_flags.h"
 #include "tools/report_table.h"
 
 namespace isoloop {
@@ -61,6 +62,8 @@ Json conventions_of(const RunResult& run) {
       {"coefficients", "Z2"}};
   if (run.with_loops) {
     conventions["geodesic"] = run.geodesic == GeodesicMode::exact ? "exact" : "hierarchy";
+    conventions["engine"] = engine_text(run.engine);
+    if (run.engine == Engine::pair) conventions["refinement"] = refinement_text(run.refinement);
     conventions["infinite_size"] = "null: the loop joins two components of the surface";
   }
   conventions["coordinates"] = {{"frame", frame_text(run.volume.frame)},
@@ -143,14 +146,15 @@ void write_json(std::ostream& out, const RunResult& run) {
     write_loops(out, run);
   }
   write_member(out, "verified", true);
-  write_member(out, "seconds",
-               {{"read", run.cost.read_seconds},
-                {"surface", seconds.surface},
-                {"closest", seconds.closest},
-                {"sizes", seconds.sizes},
-                {"pass", seconds.pass},
-                {"loops", seconds.loops},
-                {"total", run.cost.total_seconds}});
+  Json stages = {{"read", run.cost.read_seconds},
+                 {"surface", seconds.surface},
+                 {"closest", seconds.closest},
+                 {"sizes", seconds.sizes},
+                 {"pass", seconds.pass}};
+  if (run.engine == Engine::pair) stages["pair"] = seconds.pair;
+  stages["loops"] = seconds.loops;
+  stages["total"] = run.cost.total_seconds;
+  write_member(out, "seconds", stages);
   write_member(out, "peak_bytes", run.cost.peak_bytes);
   out << "\n}\n";
 }

@@ -40,6 +40,8 @@ struct RunResult {
   std::optional<double> nan_as;  // the value that was read in place of NaN
   IsoLevel level;
   GeodesicMode geodesic = GeodesicMode::hierarchy;
+  Engine engine = Engine::dual;
+  Refinement refinement = Refinement::both;  // of the engine `pair`
   Analysis analysis;
   bool with_loops = true;  // false: counted only
   LoopFilter filter;

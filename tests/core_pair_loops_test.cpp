@@ -1,0 +1,83 @@
+#include <algorithm>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/analysis.h"
+#include "core/certificate.h"
+#include "core/pair_loops.h"
+#include "tests/core_fixture.h"
+
+namespace isoloop {
+namespace {
+
+AnalysisOptions pair_options(Refinement refinement) {
+  AnalysisOptions options;
+  options.engine = Engine::pair;
+  options.pair.refinement = refinement;
+  return options;
+}
+
+TEST(PairLoops, AreProvedUnderEveryRefinement) {
+  for (const Refinement refinement :
+       {Refinement::none, Refinement::first, Refinement::second, Refinement::both})
+    for (std::uint32_t seed = 0; seed < 20; ++seed) {
+      const testing::SmallVolume volume = testing::white_noise({8, 8, 8}, seed);
+      // find_loops() throws unless every loop is certified.
+      const Analysis analysis =
+          find_loops(volume.view(), testing::zero_level, pair_options(refinement));
+      const auto genus = static_cast<std::size_t>(analysis.surface.genus());
+      EXPECT_EQ(analysis.loops.size(), 2 * genus);
+      EXPECT_EQ(analysis.pairs.size(), 2 * genus);
+    }
+}
+
+TEST(PairLoops, AreNumberedBySizeWithinTheirKind) {
+  const testing::SmallVolume volume = testing::smooth_noise({14, 14, 14}, 5, 1);
+  const Analysis analysis =
+      find_loops(volume.view(), testing::zero_level, pair_options(Refinement::first));
+  const std::size_t genus = analysis.loops.size() / 2;
+  ASSERT_GT(genus, 2U);
+  for (std::size_t i = 0; i < analysis.loops.size(); ++i) {
+    const Loop& loop = analysis.loops[i];
+    EXPECT_EQ(loop.kind, i < genus ? LoopKind::handle : LoopKind::tunnel);
+    EXPECT_EQ(loop.id, static_cast<int>(i % genus) + 1);
+    if (i % genus > 0) {
+      EXPECT_LE(analysis.loops[i - 1].size, loop.size);
+    }
+  }
+}
+
+TEST(PairLoops, OfATorusGoRoundTheTubeAndRoundTheHole) {
+  const testing::SmallVolume volume = testing::torus({24, 24, 24});
+  const Analysis analysis =
+      find_loops(volume.view(), testing::zero_level, pair_options(Refinement::both));
+  ASSERT_EQ(analysis.loops.size(), 2U);
+  // The tube is about 2 pi 2.9 = 18 round, the hole 2 pi 3.8 = 24. Killed cycles are not tight.
+  EXPECT_GT(analysis.loops[0].length, 17.0);
+  EXPECT_GT(analysis.loops[1].length, 22.0);
+  EXPECT_LT(analysis.loops[0].length, 3 * 18.0);
+  EXPECT_LT(analysis.loops[1].length, 3 * 24.0);
+}
+
+TEST(PairLoops, HaveTheSizesOfTheOtherEngine) {
+  const testing::SmallVolume volume = testing::smooth_noise({14, 14, 14}, 6, 1);
+  const Analysis dual = find_loops(volume.view(), testing::zero_level);
+  const Analysis pair =
+      find_loops(volume.view(), testing::zero_level, pair_options(Refinement::both));
+  ASSERT_EQ(dual.loops.size(), pair.loops.size());
+  for (std::size_t i = 0; i < dual.loops.size(); ++i)
+    EXPECT_EQ(dual.loops[i].size, pair.loops[i].size);
+  EXPECT_TRUE(dual.pairs.empty());
+}
+
+TEST(PairLoops, OfASphereAreNone) {
+  const testing::SmallVolume volume = testing::from_bits({1, 1, 1}, 1);
+  const Analysis analysis =
+      find_loops(volume.view(), testing::zero_level, pair_options(Refinement::both));
+  EXPECT_TRUE(analysis.loops.empty());
+  EXPECT_TRUE(analysis.pairs.empty());
+}
+
+}  // namespace
+}  // namespace isoloop

@@ -1,0 +1,37 @@
+#include "tools/engine_flags.h"
+
+#include <gtest/gtest.h>
+
+#include "core/errors.h"
+
+namespace isoloop {
+namespace {
+
+TEST(EngineFlags, ChooseTheDualEngineByDefault) {
+  EXPECT_EQ(engine_of({}), Engine::dual);
+  EXPECT_NO_THROW(pair_options({}));
+}
+
+TEST(EngineFlags, ChooseBothRefinementsByDefault) {
+  EXPECT_EQ(pair_options({.engine = "pair", .refine = "", .dump_pairs = ""}).refinement,
+            Refinement::both);
+}
+
+TEST(EngineFlags, SpellRefinementsAsTheyAreRead) {
+  for (const Refinement refinement :
+       {Refinement::none, Refinement::first, Refinement::second, Refinement::both}) {
+    const EngineFlags flags{
+        .engine = "pair", .refine = refinement_text(refinement), .dump_pairs = ""};
+    EXPECT_EQ(pair_options(flags).refinement, refinement);
+  }
+}
+
+TEST(EngineFlags, OfThePairEngineAreRefusedWithTheOther) {
+  EXPECT_THROW(pair_options({.engine = "dual", .refine = "both", .dump_pairs = ""}),
+               InvalidArgument);
+  EXPECT_THROW(pair_options({.engine = "dual", .refine = "", .dump_pairs = "p.csv"}),
+               InvalidArgument);
+}
+
+}  // namespace
+}  // namespace isoloop
