@@ -7,20 +7,25 @@ isoloop_add_tests(isoloop_core_tests
     core_certificate_test.cpp
     core_closest_test.cpp
     core_cube_test.cpp
+    core_disjoint_sets_test.cpp
     core_dual_pass_test.cpp
     core_edge_index_test.cpp
     core_geodesic_size_test.cpp
     core_grid_complex_test.cpp
     core_killing_border_test.cpp
     core_label_test.cpp
+    core_lattice_test.cpp
+    core_level_test.cpp
     core_loop_search_test.cpp
     core_loops_test.cpp
+    core_order_test.cpp
     core_pair_loops_test.cpp
     core_pair_test.cpp
     core_sides_test.cpp
     core_surface_hierarchy_test.cpp
     core_surface_order_test.cpp
     core_surface_test.cpp
+    core_vertex_pairs_test.cpp
     core_z2_basis_test.cpp
     explicit_complex.cpp
     layers_test.cpp
