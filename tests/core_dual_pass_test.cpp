@@ -28,6 +28,14 @@ EdgeSet grid_edges(const GridComplex& complex, std::uint32_t piece) {
   return {edges.begin(), edges.end()};
 }
 
+EdgeSet grid_edges(const oracle::ExplicitComplex& slow, const oracle::ExplicitComplex::Cell& face) {
+  EdgeSet edges;
+  for (const int edge : face.boundary)
+    if (slow.edges[static_cast<std::size_t>(edge)].place == face.place)
+      edges.insert(slow.grid_edge_of_edge[static_cast<std::size_t>(edge)]);
+  return edges;
+}
+
 /// Compares the killing pieces with those of the slow reduction, and says what differs if anything
 /// does. Adds their number to `compared`.
 std::string compare_with_oracle(const SmallVolume& volume, std::atomic<std::size_t>& compared) {
@@ -40,9 +48,9 @@ std::string compare_with_oracle(const SmallVolume& volume, std::atomic<std::size
     const auto place = side == Side::inside ? oracle::ExplicitComplex::Place::inside
                                             : oracle::ExplicitComplex::Place::outside;
     std::map<EdgeSet, int> face_of_edges;
-    for (const auto& [face, edges] : slow.grid_edges_of_face)
-      if (slow.faces[static_cast<std::size_t>(face)].place == place)
-        face_of_edges.emplace(edges, face);
+    for (std::size_t face = 0; face < slow.faces.size(); ++face)
+      if (slow.faces[face].place == place)
+        face_of_edges.emplace(grid_edges(slow, slow.faces[face]), static_cast<int>(face));
     std::vector<std::uint32_t> order = pieces_from_largest(complex);
     std::reverse(order.begin(), order.end());
     if (order.size() != face_of_edges.size()) return "the pieces differ in number";

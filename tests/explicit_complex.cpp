@@ -1,29 +1,28 @@
 #include "tests/explicit_complex.h"
 
 #include <algorithm>
+#include <bitset>
 #include <functional>
 #include <iterator>
 #include <limits>
-#include <tuple>
-#include <unordered_map>
+#include <numeric>
 
 namespace isoloop::oracle {
 namespace {
 
 using Place = ExplicitComplex::Place;
 using Position = std::array<int, 3>;
+using CornerSet = std::bitset<8>;  // of a cube
 
-/// Groups 0 .. n - 1 into classes.
+/// Groups the parts of a cube's faces (at most three a face) or its segments into classes.
 class Classes {
  public:
-  explicit Classes(int n) : root_(static_cast<std::size_t>(n)) {
-    for (int i = 0; i < n; ++i) root_[i] = i;
-  }
+  Classes() { std::iota(root_.begin(), root_.end(), 0); }
   int of(int i) const { return root_[i]; }
   void merge(int a, int b) { std::replace(root_.begin(), root_.end(), root_[a], root_[b]); }
 
  private:
-  std::vector<int> root_;
+  std::array<int, 18> root_{};
 };
 
 bool holds(const Chain& chain, int cell) {
@@ -35,9 +34,11 @@ Chain ends_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 /// One square face: its corners in ring order and what M makes of it.
 struct CutFace {
   struct Part {
-    bool inside;
-    std::vector<int> corners;  // positions in the ring
-    int face;                  // number in the complex
+    bool inside = false;
+    std::array<bool, 4> has{};  // by position in the ring
+    int face = 0;               // number in the complex
+
+    auto corner_count() const { return std::count(has.begin(), has.end(), true); }
   };
   std::array<Position, 4> ring;
   std::vector<Part> parts;
@@ -53,7 +54,9 @@ class Builder {
         grid_vertices_(box.vertex_count(), -1),
         crossings_(3 * std::size_t{box.vertex_count()}, -1),
         edge_ends_(6 * std::size_t{box.vertex_count()}, -1),
-        faces_(3 * std::size_t{box.vertex_count()}) {}
+        faces_(3 * std::size_t{box.vertex_count()}) {
+    for_each_position([&](const Position& p) { inside_.push_back(value(p) >= 0); });
+  }
 
   ExplicitComplex build() {
     for_each_position([&](const Position& p) {
@@ -97,7 +100,7 @@ class Builder {
     }
     return value_[static_cast<std::size_t>(index)];
   }
-  bool inside(const Position& p) const { return value(p) >= 0; }
+  bool inside(const Position& p) const { return inside_[number(p, 0) / 3]; }
   Place place(const Position& p) const { return inside(p) ? Place::inside : Place::outside; }
 
   int grid_vertex(const Position& p) {
@@ -123,6 +126,7 @@ class Builder {
   void add_edge(std::size_t grid_edge, const Position& p, int from, int to) {
     edge_end(grid_edge, inside(p)) = static_cast<int>(complex_.edges.size());
     complex_.edges.push_back({place(p), ends_of(from, to)});
+    complex_.grid_edge_of_edge.push_back(static_cast<std::uint32_t>(grid_edge));
   }
 
   void add_grid_edge(const Position& p, int axis) {
@@ -159,7 +163,7 @@ class Builder {
     CutFace face;
     face.ring = {p, step(p, b), step(step(p, b), c), step(p, c)};
     const auto& ring = face.ring;
-    Classes parts(4);
+    Classes parts;
     int changes = 0;
     for (int i = 0; i < 4; ++i) {
       if (inside(ring[i]) == inside(ring[(i + 1) % 4]))
@@ -172,69 +176,55 @@ class Builder {
       parts.merge(joined, joined + 2);
     }
     for (int root = 0; root < 4; ++root) {
-      CutFace::Part part{inside(ring[root]), {}, 0};
-      for (int i = 0; i < 4; ++i)
-        if (parts.of(i) == root) part.corners.push_back(i);
-      if (!part.corners.empty()) face.parts.push_back(part);
+      CutFace::Part part;
+      part.inside = inside(ring[root]);
+      for (int i = 0; i < 4; ++i) part.has[i] = parts.of(i) == root;
+      if (part.corner_count() > 0) face.parts.push_back(part);
     }
     add_segments(face);
     for (CutFace::Part& part : face.parts) add_part(face, part);
     faces_[number(p, axis)] = std::move(face);
   }
 
+  /// Where M cuts the stretches of the ring that a part takes up.
+  Chain crossings_of(const CutFace& face, const CutFace::Part& part) const {
+    Chain crossings;
+    for (int i = 0; i < 4; ++i)
+      if (part.has[i] != part.has[(i + 1) % 4])
+        crossings.push_back(crossings_[edge_between(face.ring[i], face.ring[(i + 1) % 4])]);
+    return crossings;
+  }
+
   /// M leaves a part along one segment for each stretch of the ring that the part leaves out.
   void add_segments(CutFace& face) {
-    const auto& ring = face.ring;
-    const auto crossing = [&](int i) {
-      return crossings_[edge_between(ring[i % 4], ring[(i + 1) % 4])];
-    };
     // Parts of fewer corners are convex: one segment each, across the two cut edges that bound
     // their stretch of the ring. With two parts of two corners, one segment serves both.
-    std::size_t wanted = face.parts.size() - 1;
-    std::vector<CutFace::Part> by_corners = face.parts;
-    std::stable_sort(by_corners.begin(), by_corners.end(), [](const auto& l, const auto& r) {
-      return l.corners.size() < r.corners.size();
-    });
-    for (const CutFace::Part& part : by_corners) {
-      if (wanted == 0) break;
-      std::vector<int> ends;
-      for (int i = 0; i < 4; ++i) {
-        const bool here = std::count(part.corners.begin(), part.corners.end(), i) > 0;
-        const bool next = std::count(part.corners.begin(), part.corners.end(), (i + 1) % 4) > 0;
-        if (here != next) ends.push_back(crossing(i));
-      }
-      if (ends.size() != 2) continue;  // the joined part of an ambiguous face
+    const std::size_t wanted = face.parts.size() - 1;
+    std::sort(face.parts.begin(), face.parts.end(),
+              [](const auto& l, const auto& r) { return l.corner_count() < r.corner_count(); });
+    for (std::size_t i = 0; i < wanted; ++i) {
+      const Chain ends = crossings_of(face, face.parts[i]);
       face.segments.push_back(static_cast<int>(complex_.edges.size()));
       complex_.edges.push_back({Place::on_m, ends_of(ends[0], ends[1])});
-      --wanted;
     }
   }
 
   void add_part(const CutFace& face, CutFace::Part& part) {
-    ExplicitComplex::Cell cell{part.inside ? Place::inside : Place::outside, {}};
-    std::set<std::uint32_t> grid_edges;
-    const auto has = [&](int i) {
-      return std::count(part.corners.begin(), part.corners.end(), i) > 0;
-    };
-    std::unordered_map<int, int> degree;
-    for (int i = 0; i < 4; ++i) {
-      if (!has(i) && !has((i + 1) % 4)) continue;
-      const std::size_t grid_edge = edge_between(face.ring[i], face.ring[(i + 1) % 4]);
-      const int edge = edge_end(grid_edge, part.inside);
-      cell.boundary.push_back(edge);
-      grid_edges.insert(static_cast<std::uint32_t>(grid_edge));
-      for (const int v : complex_.edges[edge].boundary) ++degree[v];
-    }
-    // The segments are those that close the border at its loose crossings.
+    Chain border;
+    border.reserve(6);
+    for (int i = 0; i < 4; ++i)
+      if (part.has[i] || part.has[(i + 1) % 4])
+        border.push_back(edge_end(edge_between(face.ring[i], face.ring[(i + 1) % 4]), part.inside));
+    Chain crossings = crossings_of(face, part);
+    std::sort(crossings.begin(), crossings.end());
     for (const int segment : face.segments) {
       const Chain& ends = complex_.edges[segment].boundary;
-      if (std::all_of(ends.begin(), ends.end(), [&](int v) { return degree[v] == 1; }))
-        cell.boundary.push_back(segment);
+      if (std::includes(crossings.begin(), crossings.end(), ends.begin(), ends.end()))
+        border.push_back(segment);
     }
-    std::sort(cell.boundary.begin(), cell.boundary.end());
+    std::sort(border.begin(), border.end());
     part.face = static_cast<int>(complex_.faces.size());
-    complex_.grid_edges_of_face[part.face] = grid_edges;
-    complex_.faces.push_back(cell);
+    complex_.faces.push_back({part.inside ? Place::inside : Place::outside, std::move(border)});
   }
 
   void cut_cube(const Position& p) {
@@ -246,34 +236,45 @@ class Builder {
     const std::vector<int> polygons = add_polygons(sides);
     // Parts of the cube's surface that share a corner belong to one cell.
     std::vector<const CutFace::Part*> parts;
-    std::vector<std::vector<Position>> corners;
+    std::vector<CornerSet> corners;
     for (const CutFace* face : sides)
       for (const CutFace::Part& part : face->parts) {
         parts.push_back(&part);
-        corners.emplace_back();
-        for (const int i : part.corners) corners.back().push_back(face->ring[i]);
+        corners.push_back(corners_of(*face, part, p));
       }
-    Classes cells(static_cast<int>(parts.size()));
+    Classes cells;
     for (std::size_t i = 0; i < parts.size(); ++i)
       for (std::size_t k = 0; k < i; ++k)
-        if (std::any_of(corners[i].begin(), corners[i].end(), [&](const Position& c) {
-              return std::count(corners[k].begin(), corners[k].end(), c) > 0;
-            }))
-          cells.merge(static_cast<int>(i), static_cast<int>(k));
+        if ((corners[i] & corners[k]).any()) cells.merge(static_cast<int>(i), static_cast<int>(k));
     for (int root = 0; root < static_cast<int>(parts.size()); ++root) {
       ExplicitComplex::Cell cell{parts[root]->inside ? Place::inside : Place::outside, {}};
-      Chain border;
-      for (int i = 0; i < static_cast<int>(parts.size()); ++i) {
-        if (cells.of(i) != root) continue;
-        cell.boundary.push_back(parts[i]->face);
-        border = sum(border, complex_.faces[parts[i]->face].boundary);
-      }
+      for (int i = 0; i < static_cast<int>(parts.size()); ++i)
+        if (cells.of(i) == root) cell.boundary.push_back(parts[i]->face);
       if (cell.boundary.empty()) continue;
-      for (const int polygon : polygons)  // what is left open is M
-        if (holds(border, complex_.faces[polygon].boundary.front()))
-          cell.boundary.push_back(polygon);
+      add_polygons_of(cell, polygons);
       std::sort(cell.boundary.begin(), cell.boundary.end());
       complex_.solids.push_back(cell);
+    }
+  }
+
+  /// Of the cube whose lowest corner is p.
+  static CornerSet corners_of(const CutFace& face, const CutFace::Part& part, const Position& p) {
+    CornerSet corners;
+    for (int i = 0; i < 4; ++i) {
+      const Position& c = face.ring[i];
+      if (part.has[i]) corners.set((c[0] - p[0]) + 2 * (c[1] - p[1]) + 4 * (c[2] - p[2]));
+    }
+    return corners;
+  }
+
+  /// The parts of faces leave the cell open along M's segments; polygons close it there.
+  void add_polygons_of(ExplicitComplex::Cell& cell, const std::vector<int>& polygons) const {
+    const Chain parts = cell.boundary;
+    for (const int polygon : polygons) {
+      const int segment = complex_.faces[polygon].boundary.front();
+      if (std::any_of(parts.begin(), parts.end(),
+                      [&](int part) { return holds(complex_.faces[part].boundary, segment); }))
+        cell.boundary.push_back(polygon);
     }
   }
 
@@ -282,7 +283,7 @@ class Builder {
     std::vector<int> segments;
     for (const CutFace* face : sides)
       segments.insert(segments.end(), face->segments.begin(), face->segments.end());
-    Classes curves(static_cast<int>(segments.size()));
+    Classes curves;
     for (std::size_t i = 0; i < segments.size(); ++i)
       for (std::size_t k = 0; k < i; ++k) {
         const Chain& a = complex_.edges[segments[i]].boundary;
@@ -307,6 +308,7 @@ class Builder {
   Index3 dims_;
   const Lattice& box_;
   ExplicitComplex complex_;
+  std::vector<bool> inside_;        // by lattice vertex
   std::vector<int> grid_vertices_;  // by lattice vertex
   std::vector<int> crossings_;      // by grid edge
   std::vector<int> edge_ends_;      // by grid edge and side
@@ -315,13 +317,14 @@ class Builder {
 
 /// Reduces columns in order; rows of greater number come later. Returns the reduced columns.
 std::vector<Chain> reduce(std::vector<Chain> columns) {
-  std::unordered_map<int, std::size_t> column_of_low;
-  for (std::size_t c = 0; c < columns.size(); ++c) {
-    while (!columns[c].empty()) {
-      const auto [at, is_new] = column_of_low.try_emplace(columns[c].back(), c);
-      if (is_new) break;
-      columns[c] = sum(columns[c], columns[at->second]);
-    }
+  int rows = 0;
+  for (const Chain& column : columns)
+    if (!column.empty()) rows = std::max(rows, column.back() + 1);
+  std::vector<const Chain*> column_of_low(static_cast<std::size_t>(rows), nullptr);
+  for (Chain& column : columns) {
+    while (!column.empty() && column_of_low[column.back()] != nullptr)
+      column = sum(column, *column_of_low[column.back()]);
+    if (!column.empty()) column_of_low[column.back()] = &column;
   }
   return columns;
 }
@@ -339,6 +342,7 @@ std::int64_t rank(const std::vector<ExplicitComplex::Cell>& cells,
 
 Chain sum(const Chain& a, const Chain& b) {
   Chain result;
+  result.reserve(a.size() + b.size());
   std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
   return result;
 }

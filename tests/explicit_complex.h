@@ -4,8 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
-#include <set>
 #include <vector>
 
 #include "core/grid.h"
@@ -31,8 +29,8 @@ struct ExplicitComplex {
   std::vector<Cell> edges;   // boundary: vertices
   std::vector<Cell> faces;   // pieces of cube faces and polygons of M; boundary: edges
   std::vector<Cell> solids;  // parts of cubes; boundary: faces
-  /// For each piece of a cube face (not for polygons of M): its full and halved grid edges.
-  std::map<int, std::set<std::uint32_t>> grid_edges_of_face;
+  /// The grid edge that each edge off M is all or half of. Edges off M come before M's.
+  std::vector<std::uint32_t> grid_edge_of_edge;
 };
 
 /// `inside_value`: non-negative exactly inside; by voxel of `dims`. `box`: the lattice to fill.
