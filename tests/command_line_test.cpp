@@ -82,7 +82,10 @@ TEST_F(CommandLine, VersionGoesToStandardOutput) {
 
 TEST_F(CommandLine, NoCommandIsAUsageError) { expect_failure({}, 2, "isoloop -h"); }
 
-TEST_F(CommandLine, UnknownCommandIsAUsageError) { expect_failure({"lops", "x.raw"}, 2, "-h"); }
+TEST_F(CommandLine, UnknownCommandIsAUsageErrorThatNamesTheCommands) {
+  expect_failure({"lops", "x.raw"}, 2, "lops is no command");
+  expect_failure({"lops", "x.raw"}, 2, "loops");
+}
 
 TEST_F(CommandLine, UnknownFlagIsAUsageError) {
   expect_failure({"loops", "x.raw", "--isso", "3"}, 2, "--isso");

@@ -18,6 +18,18 @@
 namespace isoloop {
 namespace {
 
+// CLI11 says of "isoloop lops" only that a subcommand is missing.
+void check_command(const CLI::App& app, const std::vector<std::string>& arguments) {
+  if (arguments.empty() || arguments[0].starts_with('-')) return;
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->get_name() == arguments[0]) return;
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  throw InvalidArgument(arguments[0] + " is no command; the commands are " + names +
+                        " (see isoloop -h)");
+}
+
 void parse_and_run(const std::vector<std::string>& arguments) {
   CLI::App app(
       "isoloop finds, proves and measures the handle loops and tunnel loops of an "
@@ -36,6 +48,7 @@ void parse_and_run(const std::vector<std::string>& arguments) {
   add_count_command(app);
   add_loops_command(app);
   add_generate_command(app);
+  check_command(app, arguments);
 
   std::vector<std::string> reversed = tie_numbers_to_flags(arguments);
   std::reverse(reversed.begin(), reversed.end());  // as CLI11 wants them

@@ -64,10 +64,10 @@ void check_voxel_memory(const Index3& dims, std::uint64_t bytes_per_voxel, std::
   const std::uint64_t bytes = checked_voxel_bytes(dims, bytes_per_voxel, what);
   const std::uint64_t limit = max_bytes == 0 ? default_voxel_limit() : max_bytes;
   if (bytes <= limit) return;
-  throw LimitExceeded(what + ": " + dims_text(dims) + " voxels of " +
-                      std::to_string(bytes_per_voxel) + " bytes need " + bytes_text(bytes) +
-                      ", and the limit is " + bytes_text(limit) +
-                      "; raise --max-memory or take a smaller volume");
+  throw LimitExceeded(
+      what + ": " + dims_text(dims) + " voxels of " + std::to_string(bytes_per_voxel) +
+      (bytes_per_voxel == 1 ? " byte need " : " bytes need ") + bytes_text(bytes) +
+      ", and the limit is " + bytes_text(limit) + "; raise --max-memory or take a smaller volume");
 }
 
 std::string dims_text(const Index3& dims) {

@@ -67,9 +67,10 @@ void check_file_size(const std::filesystem::path& path, const RawLayout& layout,
   if (found >= skip && found - skip == voxel_bytes) return;
   const bool fits = skip <= std::numeric_limits<std::uint64_t>::max() - voxel_bytes;
   const std::string expected = fits ? std::to_string(skip + voxel_bytes) : "more";
+  const std::string after = skip > 0 ? " after " + std::to_string(skip) + " skipped bytes" : "";
   throw InvalidInput(path.string() + ": the file has " + std::to_string(found) + " bytes, but " +
-                     dims_text(layout.dims) + " voxels of " + type_name(layout.type) + " after " +
-                     std::to_string(skip) + " skipped bytes take " + expected +
+                     dims_text(layout.dims) + " voxels of " + type_name(layout.type) + after +
+                     " take " + expected +
                      "; check --dims, --type and --skip, or fetch the file again");
 }
 

@@ -55,10 +55,10 @@ void refuse_nan(const std::vector<T>& values, const Index3& dims, const std::str
   if (first == values.end()) return;
   const std::int64_t at = first - values.begin();
   const auto text = [](std::int64_t number) { return std::to_string(number); };
-  throw InvalidInput(what + ": voxel (" + text(at % dims[0]) + ", " + text(at / dims[0] % dims[1]) +
-                     ", " + text(at / (dims[0] * dims[1])) + ") is NaN, one of " +
-                     text(std::count_if(first, values.end(), is_nan)) +
-                     "; say with --nan-as VALUE what NaN stands for");
+  throw InvalidInput(what + ": NaN in voxels: " + text(std::count_if(first, values.end(), is_nan)) +
+                     ", the first at (" + text(at % dims[0]) + ", " + text(at / dims[0] % dims[1]) +
+                     ", " + text(at / (dims[0] * dims[1])) +
+                     "); say with --nan-as VALUE what NaN stands for");
 }
 
 }  // namespace
