@@ -21,8 +21,15 @@ void redirect(int stream, const std::filesystem::path& path, int flags) {
 ProcessResult run_isoloop(const std::filesystem::path& directory,
                           const std::vector<std::string>& arguments,
                           const std::filesystem::path& standard_output) {
+  return run_program(ISOLOOP_EXECUTABLE, directory, arguments, standard_output);
+}
+
+ProcessResult run_program(const std::filesystem::path& program,
+                          const std::filesystem::path& directory,
+                          const std::vector<std::string>& arguments,
+                          const std::filesystem::path& standard_output) {
   const ScratchDirectory streams;
-  std::vector<std::string> words{ISOLOOP_EXECUTABLE};
+  std::vector<std::string> words{program.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   argv.reserve(words.size() + 1);

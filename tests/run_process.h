@@ -1,4 +1,4 @@
-// Runs the built isoloop as a user would.
+// Runs the built isoloop, or another program, as a user would.
 #pragma once
 
 #include <filesystem>
@@ -12,6 +12,12 @@ struct ProcessResult {
   std::string out;     // standard output
   std::string err;     // standard error
 };
+
+/// Runs `program` in `directory`, as run_isoloop() runs isoloop.
+ProcessResult run_program(const std::filesystem::path& program,
+                          const std::filesystem::path& directory,
+                          const std::vector<std::string>& arguments,
+                          const std::filesystem::path& standard_output = {});
 
 /// Runs isoloop in `directory` with `arguments`, without standard input. Standard output goes to
 /// `standard_output`, or to the result if that is empty.
