@@ -67,9 +67,11 @@ VertexPairs collect_pairs(const Sides& sides, const EdgeIndex& edges, const Surf
   return collector.take();
 }
 
-/// Fills in the distances up to `radius` between the partners that are still unknown.
-void search_pairs(const EdgeGraph& graph, const VertexPairs& pairs, double radius,
-                  std::vector<float>& lengths) {
+/// Fills in the distances up to `radius` between the partners that are still unknown. No path is
+/// shorter than the straight line: pairs farther apart than `radius` are not searched for, and an
+/// edge between two partners is their shortest path.
+void search_pairs(const EdgeGraph& graph, const std::vector<Vec3>& points, const VertexPairs& pairs,
+                  double radius, std::vector<float>& lengths) {
   tbb::enumerable_thread_specific<BoundedSearch> searches;
   const tbb::blocked_range<std::uint32_t> sources(0, pairs.source_count(), 64);
   tbb::parallel_for(sources, [&](const auto& range) {
@@ -77,15 +79,24 @@ void search_pairs(const EdgeGraph& graph, const VertexPairs& pairs, double radiu
     for (std::uint32_t source = range.begin(); source < range.end(); ++source) {
       const auto begin = pairs.partner.begin() + pairs.first[source];
       const auto end = pairs.partner.begin() + pairs.first[source + 1];
-      auto open = std::count(lengths.begin() + pairs.first[source],
-                             lengths.begin() + pairs.first[source + 1], unknown);
+      const auto length_to = [&](std::uint32_t vertex) -> float* {
+        const auto at = std::lower_bound(begin, end, vertex);
+        if (at == end || *at != vertex) return nullptr;
+        return &lengths[static_cast<std::size_t>(at - pairs.partner.begin())];
+      };
+      graph.for_each_out_edge(source, [&](std::uint32_t next, std::uint32_t edge) {
+        float* const length = length_to(next);
+        if (length != nullptr && *length == unknown) *length = graph.lengths[edge];
+      });
+      auto open = std::count_if(begin, end, [&](const std::uint32_t& partner) {
+        return lengths[static_cast<std::size_t>(&partner - pairs.partner.data())] == unknown &&
+               distance(points[source], points[partner]) <= radius;
+      });
       if (open == 0) continue;
       search.run(graph, source, radius, [&](std::uint32_t vertex, float distance) {
-        const auto at = std::lower_bound(begin, end, vertex);
-        if (at == end || *at != vertex) return true;
-        float& length = lengths[static_cast<std::size_t>(at - pairs.partner.begin())];
-        if (length != unknown) return true;
-        length = distance;
+        float* const length = length_to(vertex);
+        if (length == nullptr || *length != unknown) return true;
+        *length = distance;
         return --open > 0;
       });
     }
@@ -121,7 +132,7 @@ void search_level(const ClusterLevel& level, const VertexPairs& pairs, double le
   settle_or([&](std::uint32_t a, std::uint32_t b, float&) { collector.add(a, b); });
   const VertexPairs between = collector.take();
   std::vector<float> distances(between.partner.size(), unknown);
-  search_pairs(two_step_graph(level), between, radius, distances);
+  search_pairs(two_step_graph(level), level.centers, between, radius, distances);
   settle_or([&](std::uint32_t a, std::uint32_t b, float& length) {
     const float found = distances[between.find(a, b)];
     if (found != unknown) length = std::max(found, static_cast<float>(least));
@@ -131,15 +142,15 @@ void search_level(const ClusterLevel& level, const VertexPairs& pairs, double le
 std::vector<float> pair_lengths(const Surface& surface, const VertexPairs& pairs,
                                 GeodesicMode mode) {
   std::vector<float> lengths(pairs.partner.size(), unknown);
+  ClusterLevel level = finest_level(surface);
   if (mode == GeodesicMode::exact) {
-    search_pairs(surface.graph, pairs, infinite, lengths);
+    search_pairs(surface.graph, level.centers, pairs, infinite, lengths);
     return lengths;
   }
   const Vec3& h = surface.spacing;
   const double voxel = std::cbrt(h[0] * h[1] * h[2]);
   double searched = exact_radius * voxel;
-  search_pairs(surface.graph, pairs, searched, lengths);
-  ClusterLevel level = finest_level(surface);
+  search_pairs(surface.graph, level.centers, pairs, searched, lengths);
   for (double block = 2 * voxel;
        std::find(lengths.begin(), lengths.end(), unknown) != lengths.end(); block *= 2) {
     level = coarser_level(level);
