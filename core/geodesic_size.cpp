@@ -132,7 +132,7 @@ void search_level(const ClusterLevel& level, const VertexPairs& pairs, double le
   settle_or([&](std::uint32_t a, std::uint32_t b, float&) { collector.add(a, b); });
   const VertexPairs between = collector.take();
   std::vector<float> distances(between.partner.size(), unknown);
-  search_pairs(two_step_graph(level), level.centers, between, radius, distances);
+  search_pairs(level.neighbors, level.centers, between, radius, distances);
   settle_or([&](std::uint32_t a, std::uint32_t b, float& length) {
     const float found = distances[between.find(a, b)];
     if (found != unknown) length = std::max(found, static_cast<float>(least));

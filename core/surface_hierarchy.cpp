@@ -94,16 +94,4 @@ ClusterLevel coarser_level(const ClusterLevel& level) {
   return coarse;
 }
 
-EdgeGraph two_step_graph(const ClusterLevel& level) {
-  std::vector<Arc> arcs;
-  for (std::uint32_t c = 0; c < level.centers.size(); ++c)
-    level.neighbors.for_each_out_edge(c, [&](std::uint32_t near, std::uint32_t) {
-      arcs.emplace_back(c, near);
-      level.neighbors.for_each_out_edge(near, [&](std::uint32_t far, std::uint32_t) {
-        if (far != c) arcs.emplace_back(c, far);
-      });
-    });
-  return graph_of(std::move(arcs), level.centers);
-}
-
 }  // namespace isoloop

@@ -26,7 +26,4 @@ ClusterLevel finest_level(const Surface& surface);
 /// The next level: neighbours that fall into one block of twice the side become one cluster.
 ClusterLevel coarser_level(const ClusterLevel& level);
 
-/// `neighbors` and the neighbours' neighbours, with straight lengths: paths in it zigzag less.
-EdgeGraph two_step_graph(const ClusterLevel& level);
-
 }  // namespace isoloop
