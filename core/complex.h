@@ -24,13 +24,19 @@ struct ShortList {
 /// One side of M as a complex of balls. Pieces, cells and edges carry numbers below the bounds;
 /// not every number below a bound need be in use.
 template <class C>
-concept Complex = requires(const C& complex, std::uint32_t piece, std::uint32_t edge) {
+concept Complex = requires(const C& complex, std::uint32_t piece, std::uint32_t edge,
+                           std::uint32_t layer, void (*visit)(std::uint32_t)) {
   { complex.piece_bound() } -> std::convertible_to<std::uint32_t>;
   { complex.cell_bound() } -> std::convertible_to<std::uint32_t>;
   { complex.edge_bound() } -> std::convertible_to<std::uint32_t>;
   /// Every piece, ascending; every interior edge, ascending.
   { complex.pieces() } -> std::same_as<std::vector<std::uint32_t>>;
   { complex.edges() } -> std::same_as<std::vector<std::uint32_t>>;
+  /// Every piece and every interior edge belongs to one layer. Numbers ascend within a layer and
+  /// from layer to layer; layers may be visited from several threads at once.
+  { complex.layer_count() } -> std::convertible_to<std::uint32_t>;
+  complex.for_each_piece(layer, visit);
+  complex.for_each_edge(layer, visit);
   /// g of the piece: the largest of its edges off M.
   { complex.size(piece) } -> std::same_as<float>;
   /// The two cells that the piece parts.

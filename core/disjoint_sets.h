@@ -34,6 +34,16 @@ class DisjointSets {
     return true;
   }
 
+  /// Makes root() valid for all members, until the next union; linear, one pass.
+  void flatten() {
+    for (std::uint32_t& parent : parent_) parent = parent_[parent];  // parents come first
+  }
+
+  /// find() after flatten(); may be called from many threads.
+  std::uint32_t root(std::uint32_t member) const { return parent_[member]; }
+
+  std::uint32_t member_count() const { return static_cast<std::uint32_t>(parent_.size()); }
+
  private:
   std::vector<std::uint32_t> parent_;
 };

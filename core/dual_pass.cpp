@@ -4,8 +4,10 @@
 #include <optional>
 #include <utility>
 
-#include "core/disjoint_sets.h"
+#include <tbb/parallel_for.h>
+
 #include "core/order.h"
+#include "core/spanning_forest.h"
 
 namespace isoloop {
 namespace {
@@ -56,17 +58,24 @@ class Propagation {
         complex_(complex),
         is_known_(complex.piece_bound()),
         open_(complex.edge_bound()) {
-    for (const std::uint32_t edge : complex.edges())
-      open_[edge] = static_cast<std::uint8_t>(complex.ring(edge).count);
+    tbb::parallel_for(std::uint32_t{0}, complex.layer_count(), [&](std::uint32_t layer) {
+      complex.for_each_edge(layer, [&](std::uint32_t edge) {
+        open_[edge] = static_cast<std::uint8_t>(complex.ring(edge).count);
+      });
+    });
   }
 
-  bool is_known(std::uint32_t piece) const { return is_known_[piece] != 0; }
+  bool is_known(std::uint32_t piece) const { return is_known_[piece]; }
 
   void assign(std::uint32_t piece, std::uint32_t label) {
-    is_known_[piece] = 1;
+    is_known_.insert(piece);
     if (label != 0) labels.set(piece, label);
-    for (const std::uint32_t edge : complex_.edges_of(piece))
-      if (--open_[edge] <= 1) todo_.push_back(edge);
+    // While all labels are 0, a ring that closes says nothing.
+    const std::uint8_t least = pool.count() == 1 ? 1 : 0;
+    for (const std::uint32_t edge : complex_.edges_of(piece)) {
+      const std::uint8_t open = --open_[edge];
+      if (open <= 1 && open >= least) todo_.push_back(edge);
+    }
   }
 
   /// Draws every conclusion from the labels so far. Rings that close with a sum other than 0 are
@@ -96,7 +105,7 @@ class Propagation {
 
  private:
   const C& complex_;
-  std::vector<std::uint8_t> is_known_;
+  BitSet is_known_;
   std::vector<std::uint8_t> open_;  // by edge: pieces of its ring without a label
   std::vector<std::uint32_t> todo_;
 };
@@ -124,18 +133,29 @@ DualPass finish(const C& complex, Propagation<C>& state, const std::vector<std::
   return pass;
 }
 
+/// Calls visit(piece) for every piece without a label, ascending. Pieces may get theirs meanwhile.
+template <Complex C, class Visit>
+void for_each_unknown(const C& complex, const Propagation<C>& state, const Visit& visit) {
+  for (std::uint32_t layer = 0; layer < complex.layer_count(); ++layer)
+    complex.for_each_piece(layer, [&](std::uint32_t piece) {
+      if (!state.is_known(piece)) visit(piece);
+    });
+}
+
 template <Complex C>
 DualPass run_dual_pass(const C& complex) {
-  const std::vector<std::uint32_t> order = pieces_from_largest(complex);
+  const BitSet forest = largest_forest(complex);
   Propagation<C> state(complex);
-  DisjointSets cells(complex.cell_bound());
-  for (const std::uint32_t piece : order) {
-    const auto [a, b] = complex.cells(piece);
-    if (cells.unite(a, b)) state.assign(piece, 0);
-  }
-  state.run();
+  for_each_unknown(complex, state, [&](std::uint32_t piece) {
+    if (!forest[piece]) return;
+    state.assign(piece, 0);
+    state.run();
+  });
+  std::vector<std::uint32_t> rest;
+  for_each_unknown(complex, state, [&](std::uint32_t piece) { rest.push_back(piece); });
+  sort_from_largest(complex, rest);
   std::vector<std::uint32_t> born;
-  for (const std::uint32_t piece : order) {
+  for (const std::uint32_t piece : rest) {
     if (state.is_known(piece)) continue;
     const auto generator = static_cast<std::uint32_t>(born.size());
     born.push_back(piece);

@@ -43,9 +43,11 @@ std::vector<std::uint32_t> gather(const Lattice& lattice, const Visit& visit) {
 
 GridComplex::GridComplex(const Sides& sides, const EdgeIndex& edges, const EdgeSizes& sizes,
                          Side side)
-    : sides_(sides), edges_(edges), sizes_(sizes), side_(side) {
-  const std::uint8_t many =
-      side == Side::inside ? Sides::many_inside_cells : Sides::many_outside_cells;
+    : sides_(sides),
+      edges_(edges),
+      sizes_(sizes),
+      side_(side),
+      many_cells_(side == Side::inside ? Sides::many_inside_cells : Sides::many_outside_cells) {
   const Lattice& lattice = sides.lattice;
   split_faces_ = gather(lattice, [&](std::uint32_t v, const auto& p, auto& found) {
     for (int a = 0; a < 3; ++a) {
@@ -56,7 +58,7 @@ GridComplex::GridComplex(const Sides& sides, const EdgeIndex& edges, const EdgeS
     }
   });
   many_celled_ = gather(lattice, [&](std::uint32_t v, const auto&, auto& found) {
-    if ((sides.cubes[v] & many) != 0) found.push_back(v);
+    if ((sides.cubes[v] & many_cells_) != 0) found.push_back(v);
   });
   for (const std::uint32_t cube : many_celled_) {
     first_extra_cell_.push_back(extra_cells_);
@@ -73,55 +75,17 @@ std::uint32_t GridComplex::cell_bound() const {
 }
 
 std::vector<std::uint32_t> GridComplex::pieces() const {
-  const Lattice& lattice = sides_.lattice;
-  std::vector<std::uint32_t> all =
-      gather(lattice, [&](std::uint32_t v, const auto& p, auto& found) {
-        for (int a = 0; a < 3; ++a) {
-          const std::uint32_t face = 3 * v + static_cast<std::uint32_t>(a);
-          if (face_exists(lattice, p, a) && corners_on_side(face) != 0) found.push_back(face);
-        }
-      });
-  for (std::uint32_t i = 0; i < split_faces_.size(); ++i) all.push_back(edge_bound() + i);
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t layer = 0; layer < layer_count(); ++layer)
+    for_each_piece(layer, [&](std::uint32_t piece) { all.push_back(piece); });
   return all;
 }
 
 std::vector<std::uint32_t> GridComplex::edges() const {
-  const Lattice& lattice = sides_.lattice;
-  return gather(lattice, [&](std::uint32_t v, const auto& p, auto& found) {
-    for (std::uint32_t a = 0; a < 3; ++a)
-      if (p[a] + 1 < lattice.dims[a] &&
-          (sides_.is_on(side_, v) || sides_.is_on(side_, v + lattice.stride[a])))
-        found.push_back(3 * v + a);
-  });
-}
-
-bool GridComplex::on_border(std::uint32_t vertex) const {
-  return (sides_.cubes[vertex] & Sides::on_border) != 0;
-}
-
-std::array<std::uint32_t, 4> GridComplex::face_corners(std::uint32_t face) const {
-  const std::uint32_t v = face / 3;
-  const auto [b, c] = cross_axes(static_cast<int>(face % 3));
-  const std::uint32_t db = sides_.lattice.stride[b];
-  const std::uint32_t dc = sides_.lattice.stride[c];
-  return {v, v + db, v + db + dc, v + dc};
-}
-
-/// Edge i joins corners i and i + 1.
-std::array<std::uint32_t, 4> GridComplex::face_edges(std::uint32_t face) const {
-  const std::uint32_t v = face / 3;
-  const auto [b, c] = cross_axes(static_cast<int>(face % 3));
-  const auto ub = static_cast<std::uint32_t>(b);
-  const auto uc = static_cast<std::uint32_t>(c);
-  return {3 * v + ub, 3 * (v + sides_.lattice.stride[b]) + uc,
-          3 * (v + sides_.lattice.stride[c]) + ub, 3 * v + uc};
-}
-
-unsigned GridComplex::corners_on_side(std::uint32_t face) const {
-  const auto corners = face_corners(face);
-  unsigned bits = 0;
-  for (unsigned i = 0; i < 4; ++i) bits |= unsigned{sides_.inside[corners[i]]} << i;
-  return side_ == Side::inside ? bits : ~bits & 15U;
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t layer = 0; layer < layer_count(); ++layer)
+    for_each_edge(layer, [&](std::uint32_t edge) { all.push_back(edge); });
+  return all;
 }
 
 bool GridComplex::is_split(std::uint32_t face, unsigned on_side) const {
@@ -150,9 +114,7 @@ std::uint32_t GridComplex::piece_at(std::uint32_t face, std::uint32_t corner) co
 }
 
 std::uint32_t GridComplex::cell_at(std::uint32_t cube, std::uint32_t corner) const {
-  const std::uint8_t many =
-      side_ == Side::inside ? Sides::many_inside_cells : Sides::many_outside_cells;
-  if ((sides_.cubes[cube] & many) == 0) return cube;
+  if ((sides_.cubes[cube] & many_cells_) == 0) return cube;
   unsigned c = 0;
   std::uint32_t rest = corner - cube;
   for (int a = 2; a >= 0; --a)
@@ -166,7 +128,7 @@ std::uint32_t GridComplex::cell_at(std::uint32_t cube, std::uint32_t corner) con
          number - 1;
 }
 
-float GridComplex::size(std::uint32_t piece) const {
+float GridComplex::size_near_surface(std::uint32_t piece) const {
   float largest = 0.0F;
   for (const std::uint32_t edge : edges_of(piece)) largest = std::max(largest, edge_size(edge));
   return largest;
@@ -178,7 +140,7 @@ float GridComplex::edge_size(std::uint32_t edge) const {
              : sizes_.by_edge[edge];
 }
 
-std::array<std::uint32_t, 2> GridComplex::cells(std::uint32_t piece) const {
+std::array<std::uint32_t, 2> GridComplex::cells_near_surface(std::uint32_t piece) const {
   const Piece p = describe(piece);
   const auto face_corner = face_corners(p.face);
   unsigned i = 0;
@@ -193,7 +155,7 @@ std::array<std::uint32_t, 2> GridComplex::cells(std::uint32_t piece) const {
           at + 1 == sides_.lattice.dims[axis] ? beyond : cell_at(v, face_corner[i])};
 }
 
-ShortList<std::uint32_t, 4> GridComplex::edges_of(std::uint32_t piece) const {
+ShortList<std::uint32_t, 4> GridComplex::edges_near_surface(std::uint32_t piece) const {
   const Piece p = describe(piece);
   const auto around = face_edges(p.face);
   ShortList<std::uint32_t, 4> list;
@@ -202,7 +164,7 @@ ShortList<std::uint32_t, 4> GridComplex::edges_of(std::uint32_t piece) const {
   return list;
 }
 
-ShortList<std::uint32_t, 4> GridComplex::ring(std::uint32_t edge) const {
+ShortList<std::uint32_t, 4> GridComplex::ring_near_surface(std::uint32_t edge) const {
   const std::uint32_t v = edge / 3;
   const int a = static_cast<int>(edge % 3);
   const auto [b, c] = cross_axes(a);

@@ -1,6 +1,8 @@
 // One side of M within the grid, as the complex that the engines read.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -27,6 +29,11 @@ class GridComplex {
 
   std::vector<std::uint32_t> pieces() const;
   std::vector<std::uint32_t> edges() const;
+  std::uint32_t layer_count() const { return sides_.lattice.dims[2] + 1; }
+  template <class Visit>
+  void for_each_piece(std::uint32_t layer, const Visit& visit) const;
+  template <class Visit>
+  void for_each_edge(std::uint32_t layer, const Visit& visit) const;
   float size(std::uint32_t piece) const;
   float edge_size(std::uint32_t edge) const;  // of an interior edge, or of its half on this side
   std::array<std::uint32_t, 2> cells(std::uint32_t piece) const;
@@ -56,7 +63,15 @@ class GridComplex {
     unsigned on_side;  // bit i: corner i lies on this side
   };
 
-  bool on_border(std::uint32_t vertex) const;
+  // The answers where M is near, or the border of the box.
+  float size_near_surface(std::uint32_t piece) const;
+  std::array<std::uint32_t, 2> cells_near_surface(std::uint32_t piece) const;
+  ShortList<std::uint32_t, 4> edges_near_surface(std::uint32_t piece) const;
+  ShortList<std::uint32_t, 4> ring_near_surface(std::uint32_t edge) const;
+
+  bool on_border(std::uint32_t vertex) const {
+    return (sides_.cubes[vertex] & Sides::on_border) != 0;
+  }
   std::array<std::uint32_t, 4> face_corners(std::uint32_t face) const;
   std::array<std::uint32_t, 4> face_edges(std::uint32_t face) const;
   unsigned corners_on_side(std::uint32_t face) const;
@@ -69,11 +84,104 @@ class GridComplex {
   const EdgeIndex& edges_;
   const EdgeSizes& sizes_;
   Side side_;
+  std::uint8_t many_cells_;                      // the flag of cubes with more than one cell here
   std::vector<std::uint32_t> split_faces_;       // with two pieces here; ascending
   std::vector<std::uint32_t> many_celled_;       // cubes with more than one cell here; ascending
   std::vector<std::uint32_t> first_extra_cell_;  // of each of them, after all cubes
   std::uint32_t extra_cells_ = 0;
 };
+
+inline std::array<std::uint32_t, 4> GridComplex::face_corners(std::uint32_t face) const {
+  const std::uint32_t v = face / 3;
+  const auto [b, c] = cross_axes(static_cast<int>(face % 3));
+  const std::uint32_t db = sides_.lattice.stride[b];
+  const std::uint32_t dc = sides_.lattice.stride[c];
+  return {v, v + db, v + db + dc, v + dc};
+}
+
+/// Edge i joins corners i and i + 1.
+inline std::array<std::uint32_t, 4> GridComplex::face_edges(std::uint32_t face) const {
+  const std::uint32_t v = face / 3;
+  const auto [b, c] = cross_axes(static_cast<int>(face % 3));
+  const auto ub = static_cast<std::uint32_t>(b);
+  const auto uc = static_cast<std::uint32_t>(c);
+  return {3 * v + ub, 3 * (v + sides_.lattice.stride[b]) + uc,
+          3 * (v + sides_.lattice.stride[c]) + ub, 3 * v + uc};
+}
+
+inline unsigned GridComplex::corners_on_side(std::uint32_t face) const {
+  const auto corners = face_corners(face);
+  unsigned bits = 0;
+  for (unsigned i = 0; i < 4; ++i) bits |= unsigned{sides_.inside[corners[i]]} << i;
+  return side_ == Side::inside ? bits : ~bits & 15U;
+}
+
+template <class Visit>
+void GridComplex::for_each_piece(std::uint32_t layer, const Visit& visit) const {
+  const auto& [nx, ny, nz] = sides_.lattice.dims;
+  if (layer == nz) {
+    for (std::uint32_t i = 0; i < split_faces_.size(); ++i) visit(edge_bound() + i);
+    return;
+  }
+  std::uint32_t v = sides_.lattice.vertex(0, 0, layer);
+  for (std::uint32_t y = 0; y < ny; ++y)
+    for (std::uint32_t x = 0; x < nx; ++x, ++v) {
+      const std::array<bool, 3> next{x + 1 < nx, y + 1 < ny, layer + 1 < nz};
+      for (std::uint32_t a = 0; a < 3; ++a)
+        if (next[(a + 1) % 3] && next[(a + 2) % 3] && corners_on_side(3 * v + a) != 0)
+          visit(3 * v + a);
+    }
+}
+
+template <class Visit>
+void GridComplex::for_each_edge(std::uint32_t layer, const Visit& visit) const {
+  const auto& [nx, ny, nz] = sides_.lattice.dims;
+  if (layer == nz) return;
+  std::uint32_t v = sides_.lattice.vertex(0, 0, layer);
+  for (std::uint32_t y = 0; y < ny; ++y)
+    for (std::uint32_t x = 0; x < nx; ++x, ++v) {
+      const std::array<bool, 3> next{x + 1 < nx, y + 1 < ny, layer + 1 < nz};
+      for (std::uint32_t a = 0; a < 3; ++a)
+        if (next[a] &&
+            (sides_.is_on(side_, v) || sides_.is_on(side_, v + sides_.lattice.stride[a])))
+          visit(3 * v + a);
+    }
+}
+
+inline float GridComplex::size(std::uint32_t piece) const {
+  if (piece >= edge_bound() || corners_on_side(piece) != 15U) return size_near_surface(piece);
+  float largest = 0.0F;
+  for (const std::uint32_t edge : face_edges(piece))
+    largest = std::max(largest, sizes_.by_edge[edge]);
+  return largest;
+}
+
+inline std::array<std::uint32_t, 2> GridComplex::cells(std::uint32_t piece) const {
+  const std::uint32_t v = piece / 3;
+  if (piece >= edge_bound() || on_border(v)) return cells_near_surface(piece);
+  const std::uint32_t below = v - sides_.lattice.stride[piece % 3];
+  if (((sides_.cubes[v] | sides_.cubes[below]) & many_cells_) != 0)
+    return cells_near_surface(piece);
+  return {below, v};
+}
+
+inline ShortList<std::uint32_t, 4> GridComplex::edges_of(std::uint32_t piece) const {
+  if (piece >= edge_bound() || corners_on_side(piece) != 15U) return edges_near_surface(piece);
+  return {face_edges(piece), 4};
+}
+
+inline ShortList<std::uint32_t, 4> GridComplex::ring(std::uint32_t edge) const {
+  const std::uint32_t v = edge / 3;
+  if (on_border(v)) return ring_near_surface(edge);
+  const auto [b, c] = cross_axes(static_cast<int>(edge % 3));
+  const std::uint32_t before_b = v - sides_.lattice.stride[b];
+  const std::uint32_t before_c = v - sides_.lattice.stride[c];
+  const unsigned flags = sides_.cubes[v] | sides_.cubes[before_b] | sides_.cubes[before_c];
+  if ((flags & Sides::has_ambiguous_face) != 0) return ring_near_surface(edge);
+  const auto ub = static_cast<std::uint32_t>(b);
+  const auto uc = static_cast<std::uint32_t>(c);
+  return {{3 * v + uc, 3 * v + ub, 3 * before_b + uc, 3 * before_c + ub}, 4};
+}
 
 static_assert(Complex<GridComplex>);
 

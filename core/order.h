@@ -15,23 +15,31 @@
 
 namespace isoloop {
 
-/// All pieces, largest size first and, among equal sizes, largest number first: the filtration of
-/// the paper read backwards.
+/// Keys compare as their pieces do. Non-negative floats compare as their bit patterns do.
+inline std::uint64_t order_key(float size, std::uint32_t piece) {
+  return std::uint64_t{std::bit_cast<std::uint32_t>(size)} << 32 | piece;
+}
+
+/// Sorts pieces by size, largest first, and among equal sizes by number, largest first: the
+/// filtration of the paper read backwards.
+template <Complex C>
+void sort_from_largest(const C& complex, std::vector<std::uint32_t>& pieces) {
+  const std::size_t count = pieces.size();
+  std::vector<std::uint64_t> keys(count);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1 << 14), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i)
+      keys[i] = order_key(complex.size(pieces[i]), pieces[i]);
+  });
+  boost::sort::spreadsort::integer_sort(keys.begin(), keys.end());
+  for (std::size_t i = 0; i < count; ++i)
+    pieces[i] = static_cast<std::uint32_t>(keys[count - 1 - i]);
+}
+
+/// All pieces in that order.
 template <Complex C>
 std::vector<std::uint32_t> pieces_from_largest(const C& complex) {
   std::vector<std::uint32_t> pieces = complex.pieces();
-  std::vector<std::uint64_t> keys(pieces.size());
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, pieces.size(), 1 << 14), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i)
-          // Non-negative floats compare as their bit patterns do.
-          keys[i] = std::uint64_t{std::bit_cast<std::uint32_t>(complex.size(pieces[i]))} << 32 |
-                    pieces[i];
-      });
-  boost::sort::spreadsort::integer_sort(keys.begin(), keys.end());
-  const std::size_t count = pieces.size();
-  for (std::size_t i = 0; i < count; ++i)
-    pieces[i] = static_cast<std::uint32_t>(keys[count - 1 - i]);
+  sort_from_largest(complex, pieces);
   return pieces;
 }
 

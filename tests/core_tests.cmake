@@ -22,6 +22,7 @@ isoloop_add_tests(isoloop_core_tests
     core_pair_loops_test.cpp
     core_pair_test.cpp
     core_sides_test.cpp
+    core_spanning_forest_test.cpp
     core_surface_hierarchy_test.cpp
     core_surface_order_test.cpp
     core_surface_test.cpp
