@@ -1,4 +1,5 @@
-// Finds the vertex of M on a cut grid edge in constant time and half a byte a grid vertex.
+// Finds the vertex of M on a cut grid edge in constant time and half a byte a grid vertex, and four
+// bytes a vertex of M.
 #pragma once
 
 #include <array>
@@ -10,8 +11,9 @@
 
 namespace isoloop {
 
-/// Ranks the cut edges of the lattice in scan order: by vertex, then by axis. The rank of an edge
-/// is the number of its vertex on M.
+/// Numbers M's vertices by their cut edges: bricks of the lattice one after another along Morton's
+/// curve, so that neighbours on M lie close in memory; within a brick in scan order. Hence of two
+/// vertices in one row of the lattice the one with the lesser x comes first.
 class EdgeIndex {
  public:
   explicit EdgeIndex(const Sides& sides);
@@ -34,11 +36,10 @@ class EdgeIndex {
       rank += static_cast<std::uint32_t>(std::popcount(block.cut[a] & before));
       if (a < axis) rank += static_cast<std::uint32_t>(block.cut[a] >> (v % 64) & 1U);
     }
-    return rank;
+    return number_[rank];
   }
 
-  /// Calls visit(first vertex of M, grid edge) for the cut edges at lattice vertices 64 b .. 64 b
-  /// + 63.
+  /// Calls visit(vertex of M, grid edge) for the cut edges at lattice vertices 64 b .. 64 b + 63.
   template <class Visit>
   void visit_block(std::uint32_t b, const Visit& visit) const {
     const Block& block = blocks_[b];
@@ -47,7 +48,7 @@ class EdgeIndex {
          left &= left - 1) {
       const auto bit = static_cast<std::uint32_t>(std::countr_zero(left));
       for (std::uint32_t a = 0; a < 3; ++a)
-        if ((block.cut[a] >> bit & 1U) != 0) visit(rank++, 3 * (64 * b + bit) + a);
+        if ((block.cut[a] >> bit & 1U) != 0) visit(number_[rank++], 3 * (64 * b + bit) + a);
     }
   }
 
@@ -59,6 +60,7 @@ class EdgeIndex {
     std::uint32_t first = 0;             // cut edges in all blocks before
   };
   std::vector<Block> blocks_;
+  std::vector<std::uint32_t> number_;  // of M's vertices, by the rank of the cut edge in scan order
   std::uint32_t count_ = 0;
 };
 

@@ -23,9 +23,9 @@ struct SurfaceComponent {
 };
 
 struct Surface {
-  /// In voxel indices of the grid; each lies strictly within one grid edge. Scan order.
+  /// In voxel indices of the grid; each lies strictly within one grid edge. Numbered by EdgeIndex.
   std::vector<std::array<float, 3>> points;
-  /// The grid edge (Sides' lattice) that each vertex cuts; ascending.
+  /// The grid edge (Sides' lattice) that each vertex cuts.
   std::vector<std::uint32_t> grid_edges;
   /// Corners in points, counter-clockwise seen from O. Each directed edge occurs once.
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -46,9 +46,10 @@ struct Surface {
 /// Cuts the iso-surface out of `grid`. Combinatorics depend on `sides` alone; a vertex sits where
 /// linear interpolation puts it, kept in [1/1000, 999/1000] of its grid edge, and at 1/2 on edges
 /// that lead out of the grid. `sides` must come from classify(grid, level), `edges` from `sides`.
+/// Counts need no graph: without it Surface::graph stays empty.
 /// Throws LimitExceeded where vertices or triangle corners outgrow 32-bit indices.
 Surface extract_surface(const AnyGridView& grid, const IsoLevel& level, const Sides& sides,
-                        const EdgeIndex& edges);
+                        const EdgeIndex& edges, bool with_graph = true);
 
 /// Position in units of length (voxel index times spacing).
 Vec3 scaled_point(const Surface& surface, std::uint32_t vertex);
