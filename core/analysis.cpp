@@ -46,10 +46,10 @@ struct Cut {
   Surface surface;
 };
 
-Cut cut_volume(const AnyGridView& grid, const IsoLevel& level) {
+Cut cut_volume(const AnyGridView& grid, const IsoLevel& level, bool with_graph) {
   Sides sides = classify(grid, level);
   EdgeIndex edges(sides);
-  Surface surface = extract_surface(grid, level, sides, edges);
+  Surface surface = extract_surface(grid, level, sides, edges, with_graph);
   return {std::move(sides), std::move(edges), std::move(surface)};
 }
 
@@ -108,7 +108,7 @@ Analysis count_topology(const AnyGridView& grid, const IsoLevel& level,
   StageClock clock(options.progress);
   Analysis analysis;
   analysis.surface = clock.run("surface", 0.0, analysis.seconds.surface,
-                               [&] { return cut_volume(grid, level).surface; });
+                               [&] { return cut_volume(grid, level, false).surface; });
   analysis.betti = betti_numbers(analysis.surface);
   return analysis;
 }
@@ -118,7 +118,8 @@ Analysis find_loops(const AnyGridView& grid, const IsoLevel& level,
   StageClock clock(options.progress);
   Analysis analysis;
   StageSeconds& seconds = analysis.seconds;
-  Cut cut = clock.run("surface", 0.0, seconds.surface, [&] { return cut_volume(grid, level); });
+  Cut cut =
+      clock.run("surface", 0.0, seconds.surface, [&] { return cut_volume(grid, level, true); });
   const Surface& surface = cut.surface;
   analysis.betti = betti_numbers(surface);
   if (surface.genus() > 0) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include <tbb/parallel_for.h>
 
@@ -90,17 +91,24 @@ void triangulate(const Sides& sides, const EdgeIndex& edges, Surface& surface) {
   });
 }
 
+/// Edges that leave each vertex, in the order of the triangles that they run along.
+EdgeGraph::Csr directed_edges(const Surface& surface) {
+  std::vector<std::uint32_t> next(surface.points.size() + 1);  // place for an edge of each vertex
+  for (const auto& triangle : surface.triangles)
+    for (const std::uint32_t source : triangle) ++next[source + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges(next.back());
+  for (const auto& triangle : surface.triangles)
+    for (std::size_t i = 0; i < 3; ++i)
+      edges[next[triangle[i]]++] = {triangle[i], triangle[(i + 1) % 3]};
+  return {boost::edges_are_sorted, edges.begin(), edges.end(),
+          static_cast<std::uint32_t>(surface.points.size()),
+          static_cast<std::uint32_t>(edges.size())};
+}
+
 void build_graph(Surface& surface) {
-  std::vector<std::uint32_t> sources(3 * surface.triangles.size());
-  std::vector<std::uint32_t> targets(sources.size());
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    for (int i = 0; i < 3; ++i) {
-      sources[3 * t + i] = surface.triangles[t][i];
-      targets[3 * t + i] = surface.triangles[t][(i + 1) % 3];
-    }
   EdgeGraph& graph = surface.graph;
-  graph.csr = EdgeGraph::Csr(boost::construct_inplace_from_sources_and_targets, sources, targets,
-                             static_cast<std::uint32_t>(surface.points.size()));
+  graph.csr = directed_edges(surface);
   graph.lengths.resize(num_edges(graph.csr));
   tbb::parallel_for(std::uint32_t{0}, graph.vertex_count(), [&](std::uint32_t u) {
     const Vec3 p = scaled_point(surface, u);
@@ -156,7 +164,7 @@ std::int64_t Surface::genus() const {
 }
 
 Surface extract_surface(const AnyGridView& grid, const IsoLevel& level, const Sides& sides,
-                        const EdgeIndex& edges) {
+                        const EdgeIndex& edges, bool with_graph) {
   Surface surface;
   surface.spacing = std::visit([](const auto& view) { return view.spacing; }, grid);
   if (sides.empty()) return surface;
@@ -164,7 +172,7 @@ Surface extract_surface(const AnyGridView& grid, const IsoLevel& level, const Si
   surface.grid_edges.resize(edges.count());
   std::visit([&](const auto& view) { place_vertices(view, level, sides, edges, surface); }, grid);
   triangulate(sides, edges, surface);
-  build_graph(surface);
+  if (with_graph) build_graph(surface);
   number_components(sides, surface);
   return surface;
 }
