@@ -2,10 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <utility>
 #include <vector>
 
 #include "core/edge_graph.h"
@@ -24,11 +24,12 @@ class BoundedSearch {
     reach(source, 0.0F);
     const auto limit = static_cast<float>(radius);
     while (!queue_.empty()) {
-      const float distance = queue_.front().first;
-      const std::uint32_t vertex = queue_.front().second;
+      const std::uint64_t nearest = queue_.front();
       std::pop_heap(queue_.begin(), queue_.end(), std::greater<>{});
       queue_.pop_back();
-      if (distance > distance_[vertex]) continue;
+      const auto distance = std::bit_cast<float>(static_cast<std::uint32_t>(nearest >> 32));
+      const auto vertex = static_cast<std::uint32_t>(nearest);
+      if (distance > states_[vertex].distance) continue;
       if (!settle(vertex, distance)) return;
       graph.for_each_out_edge(vertex, [&](std::uint32_t next, std::uint32_t edge) {
         const float through = distance + graph.lengths[edge];
@@ -38,32 +39,34 @@ class BoundedSearch {
   }
 
  private:
+  struct State {
+    std::uint32_t round = 0;  // the search that last reached the vertex
+    float distance = 0.0F;    // in that search
+  };
+
   float distance_of(std::uint32_t vertex) const {
-    return round_[vertex] == current_ ? distance_[vertex] : std::numeric_limits<float>::infinity();
+    const State& state = states_[vertex];
+    return state.round == current_ ? state.distance : std::numeric_limits<float>::infinity();
   }
 
   void reach(std::uint32_t vertex, float distance) {
-    round_[vertex] = current_;
-    distance_[vertex] = distance;
-    queue_.emplace_back(distance, vertex);
+    states_[vertex] = {current_, distance};
+    // Non-negative floats compare as their bit patterns do.
+    queue_.push_back(std::uint64_t{std::bit_cast<std::uint32_t>(distance)} << 32 | vertex);
     std::push_heap(queue_.begin(), queue_.end(), std::greater<>{});
   }
 
   void begin(std::uint32_t count) {
-    if (round_.size() < count) {
-      round_.resize(count, 0);
-      distance_.resize(count);
-    }
+    if (states_.size() < count) states_.resize(count);
     if (++current_ == 0) {  // after 2^32 searches: no stale entry may look current
-      std::fill(round_.begin(), round_.end(), 0U);
+      std::fill(states_.begin(), states_.end(), State{});
       current_ = 1;
     }
     queue_.clear();
   }
 
-  std::vector<std::uint32_t> round_;  // the search that last reached each vertex
-  std::vector<float> distance_;       // valid where round_ is current_
-  std::vector<std::pair<float, std::uint32_t>> queue_;
+  std::vector<State> states_;
+  std::vector<std::uint64_t> queue_;  // distance, then vertex
   std::uint32_t current_ = 0;
 };
 
