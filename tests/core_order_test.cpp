@@ -21,6 +21,13 @@ struct LoosePieces {
   std::uint32_t edge_bound() const { return 0; }
   std::vector<std::uint32_t> pieces() const { return numbers; }
   std::vector<std::uint32_t> edges() const { return {}; }
+  std::uint32_t layer_count() const { return 1; }
+  template <class Visit>
+  void for_each_piece(std::uint32_t, const Visit& visit) const {
+    for (const std::uint32_t piece : numbers) visit(piece);
+  }
+  template <class Visit>
+  void for_each_edge(std::uint32_t, const Visit&) const {}
   float size(std::uint32_t piece) const { return sizes[piece]; }
   std::array<std::uint32_t, 2> cells(std::uint32_t) const { return {0, 0}; }
   ShortList<std::uint32_t, 4> edges_of(std::uint32_t) const { return {}; }
