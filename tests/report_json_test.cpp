@@ -37,8 +37,8 @@ TEST(ReportJson, StartsWithItsSchema) {
 
 TEST(ReportJson, HasTheNamesOfTheDesign) {
   const Json json = parsed(torus_run());
-  for (const char* key : {"input", "iso", "conventions", "surface", "betti", "loops", "verified",
-                          "seconds", "peak_bytes"}) {
+  for (const char* key : {"input", "iso", "conventions", "surface", "components", "betti", "loops",
+                          "verified", "seconds", "peak_bytes"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
   EXPECT_EQ(keys_of(json.at("surface")),
@@ -50,6 +50,19 @@ TEST(ReportJson, HasTheNamesOfTheDesign) {
   EXPECT_EQ(
       keys_of(json.at("seconds")),
       (std::vector<std::string>{"read", "surface", "closest", "sizes", "pass", "loops", "total"}));
+}
+
+TEST(ReportJson, ListsEveryComponentOfTheSurface) {
+  RunResult run = torus_run();
+  run.analysis.surface.components.push_back(
+      {.vertices = 6, .triangles = 8, .euler = 2, .genus = 0, .bounds_cavity = true});
+  const Json components = parsed(run).at("components");
+  ASSERT_EQ(components.size(), 2U);
+  EXPECT_EQ(components.at(0).at("genus"), 1);
+  EXPECT_EQ(components.at(0).at("bounds"), "solid");
+  EXPECT_EQ(
+      components.at(1),
+      Json({{"vertices", 6}, {"triangles", 8}, {"euler", 2}, {"genus", 0}, {"bounds", "cavity"}}));
 }
 
 TEST(ReportJson, StatesCountsAndCost) {

@@ -34,6 +34,26 @@ TEST(ReportTable, NamesComponentsTunnelsAndCavities) {
   EXPECT_NE(table.find("genus 1"), std::string::npos) << table;
 }
 
+TEST(ReportTable, ListsTheLargestComponentsWhereOnlyCounted) {
+  RunResult run = torus_run();
+  run.with_loops = false;
+  EXPECT_EQ(table_of(run).find("bounds"), std::string::npos);
+  for (int i = 0; i < 30; ++i)
+    run.analysis.surface.components.push_back({.vertices = 100 + i,
+                                               .triangles = 196 + 2 * i,
+                                               .euler = 2,
+                                               .genus = 0,
+                                               .bounds_cavity = i % 2 == 1});
+  const std::vector<std::string> lines = lines_of(table_of(run));
+  const auto head = std::find_if(lines.begin(), lines.end(), [](const std::string& line) {
+    return line.find("component  vertices  triangles") != std::string::npos;
+  });
+  ASSERT_EQ(lines.end() - head, 22);
+  EXPECT_EQ(head[1], "       30       129        254  2      0  cavity");
+  EXPECT_EQ(head[2], "       29       128        252  2      0  solid");
+  EXPECT_EQ(head[21], "and 11 smaller ones: --json lists all");
+}
+
 TEST(ReportTable, AlignsItsColumns) {
   const std::vector<std::string> lines = lines_of(table_of(torus_run()));
   const auto head = std::find_if(lines.begin(), lines.end(), [](const std::string& line) {

@@ -114,14 +114,24 @@ Json loop_of(const RunResult& run, const Loop& loop) {
             {"outside", triviality(loop.certificate.trivial_outside)}}}};
 }
 
-void write_loops(std::ostream& out, const RunResult& run) {
-  out << ",\n  \"loops\": [";
+Json component_of(const SurfaceComponent& component) {
+  return {{"vertices", component.vertices},
+          {"triangles", component.triangles},
+          {"euler", component.euler},
+          {"genus", component.genus},
+          {"bounds", bounds_text(component)}};
+}
+
+// One line for each item.
+template <class Items, class ToJson>
+void write_list(std::ostream& out, const char* name, const Items& items, const ToJson& to_json) {
+  out << ",\n  \"" << name << "\": [";
   const char* separator = "\n    ";
-  for (const Loop& loop : run.reported) {
-    out << separator << line_of(loop_of(run, loop));
+  for (const auto& item : items) {
+    out << separator << line_of(to_json(item));
     separator = ",\n    ";
   }
-  out << (run.reported.empty() ? "]" : "\n  ]");
+  out << (items.empty() ? "]" : "\n  ]");
 }
 
 }  // namespace
@@ -140,10 +150,11 @@ void write_json(std::ostream& out, const RunResult& run) {
                 {"components", surface.components.size()},
                 {"euler", surface.euler()},
                 {"genus", surface.genus()}});
+  write_list(out, "components", surface.components, component_of);
   write_member(out, "betti", {{"b0", betti.b0}, {"b1", betti.b1}, {"b2", betti.b2}});
   if (run.with_loops) {
     write_member(out, "filter", filter_of(run));
-    write_loops(out, run);
+    write_list(out, "loops", run.reported, [&run](const Loop& loop) { return loop_of(run, loop); });
   }
   write_member(out, "verified", true);
   Json stages = {{"read", run.cost.read_seconds},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,10 @@
 namespace isoloop {
 namespace {
 
-constexpr std::size_t column_count = 10;
-using Row = std::array<std::string, column_count>;
+template <std::size_t Columns>
+using Row = std::array<std::string, Columns>;
+
+constexpr std::size_t most_components = 20;  // rows of the table; JSON has all
 
 // Characters on screen: the bytes of UTF-8 that do not continue a character.
 std::size_t screen_width(const std::string& text) {
@@ -29,7 +32,7 @@ std::string point_text(const Vec3& point, int decimals) {
   return text += ")";
 }
 
-Row row_of(const Loop& loop, const Volume& volume) {
+Row<10> row_of(const Loop& loop, const Volume& volume) {
   const bool handle = loop.kind == LoopKind::handle;
   const int decimals = length_decimals(volume.spacing);
   return {std::to_string(loop.id),
@@ -44,18 +47,18 @@ Row row_of(const Loop& loop, const Volume& volume) {
           loop.certificate.trivial_inside ? "bounds inside" : "bounds outside"};
 }
 
-void write_rows(std::ostream& out, const std::vector<Row>& rows) {
-  constexpr std::array<bool, column_count> flush_left{false, true,  true,  false, false,
-                                                      false, false, false, false, true};
-  std::array<std::size_t, column_count> width{};
-  for (const Row& row : rows) {
-    for (std::size_t c = 0; c < column_count; ++c) {
+template <std::size_t Columns>
+void write_rows(std::ostream& out, const std::vector<Row<Columns>>& rows,
+                const std::array<bool, Columns>& flush_left) {
+  std::array<std::size_t, Columns> width{};
+  for (const Row<Columns>& row : rows) {
+    for (std::size_t c = 0; c < Columns; ++c) {
       width[c] = std::max(width[c], screen_width(row[c]));
     }
   }
-  for (const Row& row : rows) {
+  for (const Row<Columns>& row : rows) {
     std::string line;
-    for (std::size_t c = 0; c < column_count; ++c) {
+    for (std::size_t c = 0; c < Columns; ++c) {
       const std::string blanks(width[c] - screen_width(row[c]), ' ');
       if (c > 0) line += "  ";
       line += flush_left[c] ? row[c] + blanks : blanks + row[c];
@@ -104,6 +107,29 @@ void write_counts(std::ostream& out, const RunResult& run) {
       << "cavities    " << numbers[2] << "  (b2: hollows closed off inside the solid)\n";
 }
 
+// The largest first, where there is more than one.
+void write_components(std::ostream& out, const Surface& surface) {
+  const auto& components = surface.components;
+  if (components.size() < 2) return;
+  std::vector<std::size_t> order(components.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return components[a].vertices > components[b].vertices;
+  });
+  order.resize(std::min(order.size(), most_components));
+  std::vector<Row<6>> rows{{"component", "vertices", "triangles", "χ", "genus", "bounds"}};
+  for (const std::size_t i : order) {
+    const SurfaceComponent& component = components[i];
+    rows.push_back({std::to_string(i), std::to_string(component.vertices),
+                    std::to_string(component.triangles), std::to_string(component.euler),
+                    std::to_string(component.genus), bounds_text(component)});
+  }
+  out << '\n';
+  write_rows(out, rows, {false, false, false, false, false, true});
+  if (components.size() > order.size())
+    out << "and " << components.size() - order.size() << " smaller ones: --json lists all\n";
+}
+
 void write_total(std::ostream& out, const RunResult& run, LoopKind kind) {
   const auto loops = std::count_if(run.reported.begin(), run.reported.end(),
                                    [kind](const Loop& loop) { return loop.kind == kind; });
@@ -120,11 +146,11 @@ void write_total(std::ostream& out, const RunResult& run, LoopKind kind) {
 
 void write_loops(std::ostream& out, const RunResult& run) {
   if (!run.reported.empty()) {
-    std::vector<Row> rows{{"id", "kind", "fix", "length", "size", "centre (index)",
-                           "centre (world)", "component", "curves", "certificate"}};
+    std::vector<Row<10>> rows{{"id", "kind", "fix", "length", "size", "centre (index)",
+                               "centre (world)", "component", "curves", "certificate"}};
     for (const Loop& loop : run.reported) rows.push_back(row_of(loop, run.volume));
     out << '\n';
-    write_rows(out, rows);
+    write_rows(out, rows, {false, true, true, false, false, false, false, false, false, true});
   }
   out << '\n';
   if (run.filter.handles) write_total(out, run, LoopKind::handle);
@@ -143,6 +169,10 @@ void write_loops(std::ostream& out, const RunResult& run) {
 
 std::string inside_text(const IsoLevel& level) {
   return (level.inside == InsideRule::above ? "f >= " : "f <= ") + shortest_text(level.iso);
+}
+
+std::string bounds_text(const SurfaceComponent& component) {
+  return component.bounds_cavity ? "cavity" : "solid";
 }
 
 std::string frame_text(Frame frame) {
@@ -164,7 +194,10 @@ void write_table(std::ostream& out, const RunResult& run) {
       << ", inside is " << inside_text(run.level) << "\n\n";
   write_counts(out, run);
   write_level_note(out, run);
-  if (run.with_loops) write_loops(out, run);
+  if (run.with_loops)
+    write_loops(out, run);
+  else
+    write_components(out, run.analysis.surface);
 }
 
 }  // namespace isoloop

@@ -8,12 +8,16 @@
 namespace isoloop {
 
 /// Writes the counts of the surface and the solid, then, if the run looked for loops, one row for
-/// each reported loop, the total length of each kind and what was verified. Lengths, sizes and
-/// centres are in the unit of the spacing, with the digits that a hundredth of a voxel asks for.
+/// each reported loop, the total length of each kind and what was verified, and if it only counted,
+/// one row for each of the largest components of the surface. Lengths, sizes and centres are in the
+/// unit of the spacing, with the digits that a hundredth of a voxel asks for.
 void write_table(std::ostream& out, const RunResult& run);
 
 /// "f >= 70" or "f <= 70": which voxels are inside.
 std::string inside_text(const IsoLevel& level);
+
+/// What a component of the surface closes off: "solid", or "cavity" within the solid.
+std::string bounds_text(const SurfaceComponent& component);
 
 /// "index", "world", "LPS" or "RAS".
 std::string frame_text(Frame frame);
