@@ -15,7 +15,9 @@
 #include "core/edge_index.h"
 #include "core/errors.h"
 #include "core/grid_complex.h"
+#include "core/killing_border.h"
 #include "core/pair_loops.h"
+#include "core/shortest_basis.h"
 #include "core/sides.h"
 
 namespace isoloop {
@@ -86,13 +88,17 @@ void check_engines_agree(const std::vector<SurfacePair>& pairs, const Passes& pa
     throw SelfCheckFailed("PAIR and the dual pass find different killing pieces");
 }
 
-std::vector<Loop> short_loops(const Surface& surface, const SurfaceClasses& classes,
-                              const SolvedSide& inside, const SolvedSide& outside,
-                              const std::vector<std::uint32_t>& closest) {
-  std::vector<Loop> loops = loops_of_side(surface, classes, inside, closest);
-  std::vector<Loop> tunnels = loops_of_side(surface, classes, outside, closest);
-  std::move(tunnels.begin(), tunnels.end(), std::back_inserter(loops));
-  return loops;
+/// One side's borders and their classes, which say what each loop closes.
+struct BorderedSide {
+  KillingBorders borders;
+  Z2Basis classes;
+};
+
+BorderedSide border_of(const Surface& surface, const SurfaceClasses& classes,
+                       const GridComplex& complex, const DualPass& pass) {
+  BorderedSide side{killing_borders(complex, pass), {}};
+  side.classes = border_classes(surface, classes, complex.side(), side.borders);
+  return side;
 }
 
 std::uint64_t count_volume_triangles(const Cut& cut) {
@@ -142,11 +148,26 @@ Analysis find_loops(const AnyGridView& grid, const IsoLevel& level,
     analysis.loops = clock.run("loops", 0.8, seconds.loops, [&] {
       const SurfaceClasses classes =
           surface_classes(surface, inside, passes.inside, outside, passes.outside);
-      std::vector<Loop> loops = options.engine == Engine::pair
-                                    ? loops_of_pairs(surface, analysis.pairs)
-                                    : short_loops(surface, classes, {inside, passes.inside},
-                                                  {outside, passes.outside}, closest);
+      const BorderedSide in = border_of(surface, classes, inside, passes.inside);
+      const BorderedSide out = border_of(surface, classes, outside, passes.outside);
+      std::vector<Loop> loops;
+      if (options.engine == Engine::pair) {
+        loops = loops_of_pairs(surface, analysis.pairs);
+      } else {
+        loops = loops_of_side(surface, classes, {inside, passes.inside, in.borders, in.classes},
+                              closest);
+        std::vector<Loop> tunnels = loops_of_side(
+            surface, classes, {outside, passes.outside, out.borders, out.classes}, closest);
+        std::move(tunnels.begin(), tunnels.end(), std::back_inserter(loops));
+      }
       certify(surface, classes, loops);
+      if (options.tighten != Tighten::none) {
+        const SideLoops handles{{loops.data(), loops.size() / 2}, in.classes};
+        const SideLoops tunnels{{loops.data() + loops.size() / 2, loops.size() / 2}, out.classes};
+        analysis.least_handle_length = shorten_basis(surface, classes, handles, tunnels);
+        analysis.least_tunnel_length = shorten_basis(surface, classes, tunnels, handles);
+        certify(surface, classes, loops);
+      }
       return loops;
     });
   }

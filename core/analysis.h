@@ -22,9 +22,14 @@ using Progress = std::function<void(const char* stage, double share_done)>;
 /// the order by size its killing pieces must be those of PAIR.
 enum class Engine { dual, pair };
 
+/// none: the loops as they were found. basis: exchanged for shorter ones, as a whole (see
+/// shorten_basis).
+enum class Tighten { none, basis };
+
 struct AnalysisOptions {
   GeodesicMode geodesic = GeodesicMode::hierarchy;
   Engine engine = Engine::dual;
+  Tighten tighten = Tighten::basis;
   PairOptions pair{};                   // read by the engine `pair` alone
   bool count_volume_triangles = false;  // fills Analysis::volume_triangles
   Progress progress;                    // may be empty
@@ -43,8 +48,12 @@ struct StageSeconds {
 struct Analysis {
   Surface surface;
   Betti betti;
-  std::vector<Loop> loops;             // handles by size, then tunnels by size; every one certified
-  std::vector<SurfacePair> pairs;      // engine `pair`: what pair_simplices() returns
+  std::vector<Loop> loops;         // handles by size, then tunnels by size; every one certified
+  std::vector<SurfacePair> pairs;  // engine `pair`: what pair_simplices() returns
+  /// No basis of the handle loops, or of the tunnel loops, has a smaller total length along edges
+  /// of M; 0 where nothing is known. Unit of the spacing.
+  double least_handle_length = 0.0;
+  double least_tunnel_length = 0.0;
   std::uint64_t volume_triangles = 0;  // of K off M, both sides; 0 unless asked for
   StageSeconds seconds;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 
 #include <tbb/parallel_for.h>
 
@@ -131,14 +132,13 @@ GeneratorSet class_of(const Surface& surface, const SurfaceClasses& classes,
   return sum;
 }
 
-GeneratorSet inside_part(const SurfaceClasses& classes, std::span<const std::uint32_t> set) {
-  return {set.begin(), std::lower_bound(set.begin(), set.end(), classes.inside_rank)};
-}
-
-GeneratorSet outside_part(const SurfaceClasses& classes, std::span<const std::uint32_t> set) {
-  GeneratorSet part(std::lower_bound(set.begin(), set.end(), classes.inside_rank), set.end());
-  for (std::uint32_t& generator : part) generator -= classes.inside_rank;
-  return part;
+SplitClass split_class(const SurfaceClasses& classes, Side side,
+                       std::span<const std::uint32_t> set) {
+  const auto border = std::lower_bound(set.begin(), set.end(), classes.inside_rank);
+  SplitClass parts{{set.begin(), border}, {border, set.end()}};
+  for (std::uint32_t& generator : parts.other) generator -= classes.inside_rank;
+  if (side == Side::outside) std::swap(parts.own, parts.other);
+  return parts;
 }
 
 }  // namespace isoloop

@@ -35,8 +35,13 @@ SurfaceClasses surface_classes(const Surface& surface, const GridComplex& inside
 GeneratorSet class_of(const Surface& surface, const SurfaceClasses& classes,
                       std::span<const Curve> curves);
 
-/// The part of a class in H1(I), and in H1(O) (numbered from 0 as in the outside's DualPass).
-GeneratorSet inside_part(const SurfaceClasses& classes, std::span<const std::uint32_t> set);
-GeneratorSet outside_part(const SurfaceClasses& classes, std::span<const std::uint32_t> set);
+/// A class as seen from one side: its part in that side's homology, which vanishes if it bounds
+/// there, and its part in the other side's. Generators from 0, as in the sides' own DualPass.
+struct SplitClass {
+  GeneratorSet own;
+  GeneratorSet other;
+};
+SplitClass split_class(const SurfaceClasses& classes, Side side,
+                       std::span<const std::uint32_t> set);
 
 }  // namespace isoloop

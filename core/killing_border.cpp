@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <numeric>
+#include <string>
 #include <unordered_map>
 #include <utility>
+
+#include "core/errors.h"
 
 namespace isoloop {
 
@@ -24,6 +27,20 @@ KillingBorders killing_borders(const GridComplex& complex, const DualPass& pass)
     borders.edges[cursor[generator]++] = segment;
   });
   return borders;
+}
+
+Z2Basis border_classes(const Surface& surface, const SurfaceClasses& classes, Side side,
+                       const KillingBorders& borders) {
+  Z2Basis basis;
+  for (std::uint32_t i = 0; i + 1 < borders.first.size(); ++i) {
+    const std::vector<Curve> curves = closed_curves(borders.of(i));
+    const SplitClass border = split_class(classes, side, class_of(surface, classes, curves));
+    if (!border.own.empty() || !basis.add(border.other))
+      throw SelfCheckFailed(std::string("the border of the surface across ") +
+                            (side == Side::inside ? "handle " : "tunnel ") + std::to_string(i + 1) +
+                            " is not a cycle of its kind");
+  }
+  return basis;
 }
 
 std::vector<Curve> closed_curves(std::span<const std::array<std::uint32_t, 2>> edges) {

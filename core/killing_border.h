@@ -11,6 +11,7 @@
 #include "core/dual_pass.h"
 #include "core/grid_complex.h"
 #include "core/surface.h"
+#include "core/z2_basis.h"
 
 namespace isoloop {
 
@@ -26,6 +27,12 @@ struct KillingBorders {
 };
 
 KillingBorders killing_borders(const GridComplex& complex, const DualPass& pass);
+
+/// The classes of the borders in the homology of the other side; vector i is border i, and they
+/// span all that bounds on this side. Coordinate i of a class in this basis says whether it closes
+/// handle (or tunnel) i. Throws SelfCheckFailed where the borders are not a basis.
+Z2Basis border_classes(const Surface& surface, const SurfaceClasses& classes, Side side,
+                       const KillingBorders& borders);
 
 /// The edges of one border, strung into closed curves without repeated vertices.
 std::vector<Curve> closed_curves(std::span<const std::array<std::uint32_t, 2>> edges);

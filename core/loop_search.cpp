@@ -1,109 +1,225 @@
 #include "core/loop_search.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <limits>
+#include <unordered_map>
+
+#include "core/killing_border.h"
 
 namespace isoloop {
+namespace {
 
-LoopSearch::LoopSearch(const Surface& surface, const SurfaceClasses& classes)
-    : surface_(surface), classes_(classes) {
-  const std::size_t count = surface.points.size();
-  round_.resize(count, 0);
-  settled_.resize(count);
-  distance_.resize(count);
-  parent_.resize(count);
-  label_.resize(count);
+constexpr auto none = static_cast<std::uint32_t>(-1);
+
+bool visits_twice(Curve curve) {
+  std::sort(curve.begin(), curve.end());
+  return std::adjacent_find(curve.begin(), curve.end()) != curve.end();
 }
 
-void LoopSearch::begin() {
+/// What is left of a closed walk over Z2, where an edge taken twice is not taken at all.
+std::vector<Curve> without_repeated_edges(const Curve& walk) {
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  for (std::size_t i = 0; i < walk.size(); ++i) {
+    const std::uint32_t u = walk[i];
+    const std::uint32_t v = walk[(i + 1) % walk.size()];
+    edges.push_back({std::min(u, v), std::max(u, v)});
+  }
+  std::sort(edges.begin(), edges.end());
+  std::vector<std::array<std::uint32_t, 2>> odd;
+  for (const auto& edge : edges) {
+    if (!odd.empty() && odd.back() == edge)
+      odd.pop_back();
+    else
+      odd.push_back(edge);
+  }
+  return closed_curves(odd);
+}
+
+}  // namespace
+
+LoopSearch::LoopSearch(const Surface& surface, const SurfaceClasses& classes, Side side)
+    : surface_(surface),
+      classes_(classes),
+      side_(side),
+      steps_(classes.pool.count(), Step{{none, none}, false, 0}),
+      reached_(surface.points.size()) {
+  steps_[0].label = {};
+}
+
+void LoopSearch::look_for(WantedLoops wanted) {
+  wanted_ = std::move(wanted);
+  wanted_own_ = pool_.intern(wanted_.own);
+  useful_length_.clear();
+}
+
+void LoopSearch::begin(std::uint32_t base) {
   if (++current_ == 0) {  // after 2^32 searches: no stale entry may look current
-    std::fill(round_.begin(), round_.end(), 0U);
+    for (Reached& vertex : reached_) vertex.search = 0;
+    for (Step& step : steps_) step.odd_for = 0;
     current_ = 1;
   }
+  settled_ = 0;
   queue_.clear();
-  verdict_.clear();
+  paths_.clear();
+  reach({0.0F, base, {}, false, false, none, none}, 1);
 }
 
-void LoopSearch::reach(std::uint32_t vertex, float distance, std::uint32_t parent,
-                       std::uint32_t label) {
-  round_[vertex] = current_;
-  settled_[vertex] = 0;
-  distance_[vertex] = distance;
-  parent_[vertex] = parent;
-  label_[vertex] = label;
-  queue_.emplace_back(distance, vertex);
+std::uint32_t LoopSearch::first_path(std::uint32_t vertex) const {
+  return reached_[vertex].search == current_ ? reached_[vertex].first : none;
+}
+
+/// Keeps a path unless a shorter one of its class is known, or `sheets` shorter ones of others.
+void LoopSearch::reach(const Path& path, std::uint32_t sheets) {
+  std::uint32_t same = none;
+  std::uint32_t shorter = 0;
+  for (std::uint32_t p = first_path(path.vertex); p != none; p = paths_[p].next) {
+    if (paths_[p].label == path.label) {
+      if (paths_[p].distance <= path.distance) return;
+      same = p;
+    } else if (paths_[p].distance <= path.distance && ++shorter == sheets) {
+      return;
+    }
+  }
+  if (same == none) {
+    same = static_cast<std::uint32_t>(paths_.size());
+    paths_.push_back(path);
+    paths_.back().next = first_path(path.vertex);
+    reached_[path.vertex] = {current_, same};
+  } else {
+    paths_[same].distance = path.distance;
+    paths_[same].parent = path.parent;
+  }
+  queue_.emplace_back(path.distance, same);
   std::push_heap(queue_.begin(), queue_.end(), std::greater<>{});
 }
 
-std::uint32_t LoopSearch::local(std::uint32_t label) {
-  if (label == 0) return 0;
-  const auto [at, is_new] = local_.try_emplace(label, 0);
-  if (is_new) at->second = pool_.intern(classes_.pool.generators(label));
-  return at->second;
+/// Not if it is settled already, or as many others to its vertex are as there may be.
+bool LoopSearch::may_settle(std::uint32_t path, std::uint32_t sheets) const {
+  if (paths_[path].is_settled) return false;
+  std::uint32_t others = 0;
+  for (std::uint32_t p = first_path(paths_[path].vertex); p != none; p = paths_[p].next)
+    if (paths_[p].is_settled && ++others == sheets) return false;
+  return true;
 }
 
-bool LoopSearch::is_wanted(std::uint32_t label, const WantedClass& wanted) {
-  if (label == 0) return false;
-  const auto [at, is_new] = verdict_.try_emplace(label, false);
-  if (is_new) at->second = wanted(pool_.generators(label));
-  return at->second;
+const LoopSearch::Step& LoopSearch::step_of(std::uint32_t label) {
+  Step& step = steps_[label];
+  if (label == 0 || step.odd_for == current_) return step;
+  if (step.label.own == none) {
+    const SplitClass parts = split_class(classes_, side_, classes_.pool.generators(label));
+    step.label = {pool_.intern(parts.own), pool_.intern(parts.other)};
+  }
+  step.odd_for = current_;
+  step.is_odd = false;
+  for (const std::uint32_t generator : pool_.generators(step.label.other))
+    if (std::binary_search(crossing_.begin(), crossing_.end(), generator))
+      step.is_odd = !step.is_odd;
+  return step;
 }
 
-std::optional<FoundLoop> LoopSearch::run(std::uint32_t base, double longest,
-                                         const WantedClass& wanted) {
-  begin();
-  reach(base, 0.0F, base, 0);
-  double bound = longest;
-  std::optional<FoundLoop> best;
-  const auto try_closing = [&](const Closing& closing, std::uint32_t edge_label) {
-    const double with_stem =
-        double{distance_[closing.from]} + closing.length + distance_[closing.to];
-    if (with_stem > longest) return;
-    if (edge_label == 0 && label_[closing.from] == label_[closing.to]) return;
-    const std::uint32_t label =
-        pool_.sum(pool_.sum(label_[closing.from], label_[closing.to]), local(edge_label));
-    if (!is_wanted(label, wanted)) return;
-    bound = std::min(bound, with_stem);
-    FoundLoop found = loop_through(closing);
-    if (!best || found.length < best->length) best = std::move(found);
-  };
+double LoopSearch::useful_length(std::uint32_t other) {
+  if (other >= useful_length_.size()) useful_length_.resize(pool_.count(), -1.0);
+  double& length = useful_length_[other];
+  if (length < 0.0) length = wanted_.useful_length(pool_.generators(other));
+  return length;
+}
+
+/// Settles paths up to half of `bound` and calls close(closing) for every way to close a loop of
+/// the wanted own class, but not of class 0, no longer than `bound` at that time; `close` may lower
+/// it. The middle of a shortest walk lies on an edge whose ends are both settled by then.
+template <class Close>
+void LoopSearch::explore(std::uint32_t base, double& bound, std::uint32_t sheets,
+                         const Close& close) {
+  begin(base);
   while (!queue_.empty() && 2.0 * queue_.front().first <= bound) {
-    const auto vertex = queue_.front().second;
+    const std::uint32_t path = queue_.front().second;
     std::pop_heap(queue_.begin(), queue_.end(), std::greater<>{});
     queue_.pop_back();
-    if (settled_[vertex] != 0) continue;
-    settled_[vertex] = 1;
-    surface_.graph.for_each_out_edge(vertex, [&](std::uint32_t next, std::uint32_t edge) {
-      const float length = surface_.graph.lengths[edge];
-      const std::uint32_t edge_label = classes_.of_edge[edge];
-      if (is_reached(next) && settled_[next] != 0) {
-        try_closing({vertex, next, length}, edge_label);
-        return;
+    if (!may_settle(path, sheets)) continue;
+    paths_[path].is_settled = true;
+    ++settled_;
+    const Path here = paths_[path];
+    surface_.graph.for_each_out_edge(here.vertex, [&](std::uint32_t next, std::uint32_t edge) {
+      const Step& step = step_of(classes_.of_edge[edge]);
+      const Label label{pool_.sum(here.label.own, step.label.own),
+                        pool_.sum(here.label.other, step.label.other)};
+      const bool is_odd = here.is_odd != step.is_odd;
+      const std::uint32_t own_back = pool_.sum(label.own, wanted_own_);
+      const float through = here.distance + surface_.graph.lengths[edge];
+      for (std::uint32_t p = first_path(next); p != none; p = paths_[p].next) {
+        const Path& back = paths_[p];
+        if (!back.is_settled) continue;
+        const double length = double{through} + back.distance;
+        if (back.is_odd != is_odd) shortest_crossing_ = std::min(shortest_crossing_, length);
+        if (back.label.own != own_back || back.label == label || length > bound) continue;
+        close(Closing{path, p, pool_.sum(label.other, back.label.other), length});
       }
-      const float through = distance_[vertex] + length;
-      if (is_reached(next) && through >= distance_[next]) return;
-      reach(next, through, vertex, pool_.sum(label_[vertex], local(edge_label)));
+      if (2.0 * through > bound) return;
+      reach({through, next, label, is_odd, false, path, none}, sheets);
     });
   }
+}
+
+std::optional<FoundLoop> LoopSearch::shortest(std::uint32_t base, double longest) {
+  std::optional<FoundLoop> best;
+  double bound = longest;
+  crossing_ = {};
+  explore(base, bound, 1, [&](const Closing& closing) {
+    if (closing.length >= useful_length(closing.other)) return;
+    bound = std::min(bound, closing.length);
+    FoundLoop found = loop_of(closing);
+    if (!best || found.length < best->length) best = std::move(found);
+  });
   return best;
 }
 
-FoundLoop LoopSearch::loop_through(const Closing& closing) const {
-  // Walk both ends up to where their tree paths meet; the farther end first.
-  Curve there{closing.from};
-  Curve back{closing.to};
-  while (there.back() != back.back()) {
-    Curve& farther = distance_[there.back()] >= distance_[back.back()] ? there : back;
-    farther.push_back(parent_[farther.back()]);
+SearchResult LoopSearch::shortest_of_each_class(std::uint32_t base, const SearchLimits& limits,
+                                                std::span<const std::uint32_t> crossing) {
+  crossing_ = crossing;
+  shortest_crossing_ = limits.longest;
+  std::vector<Closing> closings;
+  std::unordered_map<std::uint32_t, std::size_t> number;  // of each label's closing
+  double bound = limits.longest;
+  explore(base, bound, limits.sheets, [&](const Closing& closing) {
+    if (useful_length(closing.other) == 0.0) return;
+    const auto [at, is_new] = number.try_emplace(closing.other, closings.size());
+    if (is_new)
+      closings.push_back(closing);
+    else if (closing.length < closings[at->second].length)
+      closings[at->second] = closing;
+  });
+  SearchResult result{{}, shortest_crossing_, settled_};
+  for (const Closing& closing : closings) {
+    FoundLoop loop = loop_of(closing);
+    if (loop.length < useful_length(closing.other)) result.loops.push_back(std::move(loop));
   }
-  const double stem = distance_[there.back()];
-  FoundLoop found;
-  found.length =
-      double{distance_[closing.from]} + closing.length + distance_[closing.to] - 2 * stem;
+  return result;
+}
+
+FoundLoop LoopSearch::loop_of(const Closing& closing) const {
+  // Walk both ends up to where their paths meet; the farther end first.
+  std::uint32_t from = closing.from;
+  std::uint32_t to = closing.to;
+  Curve there{paths_[from].vertex};
+  Curve back{paths_[to].vertex};
+  while (from != to) {
+    const bool first = paths_[from].distance >= paths_[to].distance;
+    std::uint32_t& farther = first ? from : to;
+    farther = paths_[farther].parent;
+    (first ? there : back).push_back(paths_[farther].vertex);
+  }
   back.pop_back();
-  found.curve = std::move(there);
-  found.curve.insert(found.curve.end(), back.rbegin(), back.rend());
+  there.insert(there.end(), back.rbegin(), back.rend());
+  FoundLoop found;
+  const auto generators = pool_.generators(closing.other);
+  found.other.assign(generators.begin(), generators.end());
+  if (visits_twice(there))
+    found.curves = without_repeated_edges(there);
+  else
+    found.curves.push_back(std::move(there));
+  found.length = length_of(surface_, found.curves);
   return found;
 }
 

@@ -17,19 +17,8 @@
 namespace isoloop {
 namespace {
 
+constexpr double any_length = std::numeric_limits<double>::infinity();
 constexpr std::size_t starts_per_curve = 8;  // searches that try to shorten a curve
-
-/// Splits a class into its part on the loops' own side, which must vanish, and on the other side.
-struct SplitClass {
-  GeneratorSet own;
-  GeneratorSet other;
-};
-
-SplitClass split(const SurfaceClasses& classes, LoopKind kind, std::span<const std::uint32_t> set) {
-  SplitClass parts{inside_part(classes, set), outside_part(classes, set)};
-  if (kind == LoopKind::tunnel) std::swap(parts.own, parts.other);
-  return parts;
-}
 
 std::string name_of(LoopKind kind) { return kind == LoopKind::handle ? "handle" : "tunnel"; }
 
@@ -57,10 +46,7 @@ class LoopFinder {
         classes_(classes),
         side_(side),
         closest_(closest),
-        kind_(side.complex.side() == Side::inside ? LoopKind::handle : LoopKind::tunnel),
-        borders_(killing_borders(side.complex, side.pass)) {
-    for (std::uint32_t i = 0; i < side.pass.killing.size(); ++i) add_border_class(i);
-  }
+        kind_(kind_on(side.complex.side())) {}
 
   Loop find(std::uint32_t i, LoopSearch& search) const {
     std::vector<Curve> curves = single_curve(i, search);
@@ -70,20 +56,10 @@ class LoopFinder {
   }
 
  private:
-  void add_border_class(std::uint32_t i) {
-    const std::vector<Curve> curves = closed_curves(borders_.of(i));
-    const SplitClass border = split(classes_, kind_, class_of(surface_, classes_, curves));
-    if (!border.own.empty() || !border_classes_.add(border.other))
-      throw SelfCheckFailed("the border of the surface across " + name_of(kind_) + " " +
-                            std::to_string(i + 1) + " is not a cycle of its kind");
-  }
-
   /// Whether killing piece i is what makes the class trivial: of the handles (or tunnels) that it
   /// closes, i dies last.
-  bool dies_at(std::uint32_t i, std::span<const std::uint32_t> set) const {
-    const SplitClass parts = split(classes_, kind_, set);
-    if (!parts.own.empty()) return false;
-    const auto closes = border_classes_.coordinates(parts.other);
+  bool dies_at(std::uint32_t i, std::span<const std::uint32_t> other) const {
+    const auto closes = side_.border_classes.coordinates(other);
     return closes && !closes->empty() && closes->back() == i;
   }
 
@@ -103,41 +79,46 @@ class LoopFinder {
   /// The shortest curve found near killing piece i; empty where there is none that is shorter than
   /// what the border of its surface comes to at the most.
   std::vector<Curve> single_curve(std::uint32_t i, LoopSearch& search) const {
-    const WantedClass wanted = [&](std::span<const std::uint32_t> set) { return dies_at(i, set); };
-    double longest = length_of(surface_, closed_curves(borders_.of(i)));
+    search.look_for({{}, [&](std::span<const std::uint32_t> other) {
+                       return dies_at(i, other) ? any_length : 0.0;
+                     }});
+    double longest = length_of(surface_, closed_curves(side_.borders.of(i)));
     std::optional<FoundLoop> best;
     for (const std::uint32_t base : bases(i)) {
-      std::optional<FoundLoop> found = search.run(base, longest, wanted);
+      std::optional<FoundLoop> found = search.shortest(base, longest);
       if (!found || (best && found->length >= best->length)) continue;
       best = std::move(found);
       longest = best->length;
     }
     if (!best) return {};
-    shorten(*best, search, wanted);
-    return {best->curve};
+    return {shortened(best->curves.front(), search)};
   }
 
-  /// Searches again from vertices of the loop itself.
-  static void shorten(FoundLoop& loop, LoopSearch& search, const WantedClass& wanted) {
-    const Curve starts = loop.curve;
-    const std::size_t count = std::min(starts.size(), starts_per_curve);
+  /// Searches again from vertices of the curve itself.
+  Curve shortened(const Curve& curve, LoopSearch& search) const {
+    FoundLoop best{{curve}, length_of(surface_, {&curve, 1}), {}};
+    const std::size_t count = std::min(curve.size(), starts_per_curve);
     for (std::size_t k = 0; k < count; ++k) {
       std::optional<FoundLoop> found =
-          search.run(starts[k * starts.size() / count], loop.length, wanted);
-      if (found && found->length < loop.length) loop = std::move(*found);
+          search.shortest(curve[k * curve.size() / count], best.length);
+      if (found && found->length < best.length) best = std::move(*found);
     }
+    return best.curves.front();
   }
 
   std::vector<Curve> tightened_border(std::uint32_t i, LoopSearch& search) const {
     std::vector<Curve> tight;
-    for (const Curve& curve : closed_curves(borders_.of(i))) {
-      const GeneratorSet own_class = class_of(surface_, classes_, {&curve, 1});
-      if (own_class.empty()) continue;
-      FoundLoop loop{curve, length_of(surface_, {&curve, 1})};
-      shorten(loop, search, [&](std::span<const std::uint32_t> set) {
-        return std::equal(set.begin(), set.end(), own_class.begin(), own_class.end());
-      });
-      tight.push_back(std::move(loop.curve));
+    for (const Curve& curve : closed_curves(side_.borders.of(i))) {
+      const SplitClass wanted =
+          split_class(classes_, side_of(kind_), class_of(surface_, classes_, {&curve, 1}));
+      if (wanted.own.empty() && wanted.other.empty()) continue;
+      search.look_for({wanted.own, [&](std::span<const std::uint32_t> other) {
+                         return std::equal(other.begin(), other.end(), wanted.other.begin(),
+                                           wanted.other.end())
+                                    ? any_length
+                                    : 0.0;
+                       }});
+      tight.push_back(shortened(curve, search));
     }
     return tight;
   }
@@ -147,8 +128,6 @@ class LoopFinder {
   SolvedSide side_;
   const std::vector<std::uint32_t>& closest_;
   LoopKind kind_;
-  KillingBorders borders_;
-  Z2Basis border_classes_;  // in the other side's homology; vector i is the border of surface i
 };
 
 }  // namespace
@@ -161,6 +140,7 @@ Loop measured_loop(const Surface& surface, LoopKind kind, int id, double size,
   loop.size = size;
   loop.curves = std::move(curves);
   loop.length = length_of(surface, loop.curves);
+  loop.found_length = loop.length;
   loop.component = surface.component_of_vertex[loop.curves.front().front()];
   loop.center_index = center_of(surface, loop.curves);
   return loop;
@@ -171,7 +151,7 @@ std::vector<Loop> loops_of_side(const Surface& surface, const SurfaceClasses& cl
   const LoopFinder finder(surface, classes, side, closest);
   std::vector<Loop> loops(side.pass.killing.size());
   tbb::enumerable_thread_specific<LoopSearch> searches(
-      [&] { return LoopSearch(surface, classes); });
+      [&] { return LoopSearch(surface, classes, side.complex.side()); });
   // Large sizes search far: taken first and one by one, they do not wait at the end.
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, loops.size(), 1), [&](const auto& range) {
     for (std::size_t k = range.begin(); k < range.end(); ++k) {
@@ -186,7 +166,8 @@ void certify(const Surface& surface, const SurfaceClasses& classes, std::vector<
   Z2Basis handles;
   Z2Basis tunnels;
   for (Loop& loop : loops) {
-    const SplitClass parts = split(classes, loop.kind, class_of(surface, classes, loop.curves));
+    const SplitClass parts =
+        split_class(classes, side_of(loop.kind), class_of(surface, classes, loop.curves));
     Z2Basis& basis = loop.kind == LoopKind::handle ? handles : tunnels;
     const std::string name = name_of(loop.kind) + " loop " + std::to_string(loop.id);
     if (loop.curves.empty() || !parts.own.empty() || parts.other.empty())

@@ -8,12 +8,22 @@
 #include "core/dual_pass.h"
 #include "core/grid.h"
 #include "core/grid_complex.h"
+#include "core/killing_border.h"
 #include "core/surface.h"
+#include "core/z2_basis.h"
 
 namespace isoloop {
 
 /// A handle loop bounds in I (cut there to remove the handle), a tunnel loop in O (fill there).
 enum class LoopKind { handle, tunnel };
+
+/// The side of M on which loops of a kind bound, and the other way round.
+constexpr Side side_of(LoopKind kind) {
+  return kind == LoopKind::handle ? Side::inside : Side::outside;
+}
+constexpr LoopKind kind_on(Side side) {
+  return side == Side::inside ? LoopKind::handle : LoopKind::tunnel;
+}
 
 /// What was proved of a loop: whether its class vanishes in H1(I) and in H1(O).
 struct LoopCertificate {
@@ -24,9 +34,10 @@ struct LoopCertificate {
 /// A cycle on M, maybe of several closed curves.
 struct Loop {
   LoopKind kind = LoopKind::handle;
-  int id = 0;           // 1, 2, ... within its kind, by size
-  double size = 0.0;    // g(t), unit of the spacing; infinite if t joins two components of M
-  double length = 0.0;  // of all curves, along edges of M; unit of the spacing
+  int id = 0;                 // 1, 2, ... within its kind, by size
+  double size = 0.0;          // g(t), unit of the spacing; infinite if t joins two components of M
+  double length = 0.0;        // of all curves, along edges of M; unit of the spacing
+  double found_length = 0.0;  // of the loop that was found near the killing piece
   std::uint32_t component = 0;  // of M, of the first curve
   Vec3 center_index{};          // mean of the points, weighted by arc length; voxel indices
   std::vector<Curve> curves;
@@ -41,13 +52,14 @@ Loop measured_loop(const Surface& surface, LoopKind kind, int id, double size,
 struct SolvedSide {
   const GridComplex& complex;
   const DualPass& pass;
+  const KillingBorders& borders;
+  const Z2Basis& border_classes;
 };
 
 /// The loops that bound on `side`, one for each killing piece, by size: loop i is born on M, is
 /// trivial on this side from killing piece i on and not before. `closest`: by lattice vertex.
 /// Close to the shortest such loop near the piece; where no single closed curve will do (it takes
 /// two on nested tori), the border of the surface that the labels span, each curve tightened.
-/// Throws SelfCheckFailed where those borders do not prove what they should.
 std::vector<Loop> loops_of_side(const Surface& surface, const SurfaceClasses& classes,
                                 const SolvedSide& side, const std::vector<std::uint32_t>& closest);
 

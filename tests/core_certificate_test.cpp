@@ -90,11 +90,24 @@ TEST(Certificate, ABorderOfAKillingSurfaceIsTrivialOnItsSideOnly) {
       for (std::uint32_t i = 0; i < pass.killing.size(); ++i) {
         const GeneratorSet set =
             class_of(c.prepared.surface, c.classes, closed_curves(borders.of(i)));
-        EXPECT_EQ(inside_part(c.classes, set).empty(), side == Side::inside);
-        EXPECT_EQ(outside_part(c.classes, set).empty(), side == Side::outside);
+        EXPECT_TRUE(split_class(c.classes, side, set).own.empty());
+        EXPECT_FALSE(split_class(c.classes, side, set).other.empty());
       }
     }
   }
+}
+
+TEST(Certificate, AClassSplitsIntoItsPartsOnBothSides) {
+  SurfaceClasses classes;
+  classes.inside_rank = 3;
+  classes.outside_rank = 3;
+  const GeneratorSet set{0, 2, 3, 5};
+  const SplitClass inside = split_class(classes, Side::inside, set);
+  EXPECT_EQ(inside.own, (GeneratorSet{0, 2}));
+  EXPECT_EQ(inside.other, (GeneratorSet{0, 2}));
+  const SplitClass outside = split_class(classes, Side::outside, GeneratorSet{1, 4, 5});
+  EXPECT_EQ(outside.own, (GeneratorSet{1, 2}));
+  EXPECT_EQ(outside.other, (GeneratorSet{1}));
 }
 
 TEST(Certificate, AWalkOffMIsRefused) {

@@ -7,38 +7,16 @@
 #include "core/certificate.h"
 #include "core/errors.h"
 #include "core/loops.h"
-#include "tests/core_fixture.h"
+#include "tests/basis_comparison.h"
 
 namespace isoloop {
 namespace {
 
-using testing::Prepared;
 using testing::SmallVolume;
 
-struct Solved {
-  explicit Solved(const SmallVolume& volume, GeodesicMode mode = GeodesicMode::hierarchy)
-      : prepared(volume, mode),
-        inside(dual_pass(*prepared.inside)),
-        outside(dual_pass(*prepared.outside)),
-        classes(surface_classes(prepared.surface, *prepared.inside, inside, *prepared.outside,
-                                outside)) {
-    loops = loops_of_side(prepared.surface, classes, {*prepared.inside, inside}, prepared.closest);
-    for (Loop& loop :
-         loops_of_side(prepared.surface, classes, {*prepared.outside, outside}, prepared.closest))
-      loops.push_back(std::move(loop));
-  }
-  double length_of_kind(LoopKind kind) const {
-    double sum = 0.0;
-    for (const Loop& loop : loops)
-      if (loop.kind == kind) sum += loop.length;
-    return sum;
-  }
-
-  Prepared prepared;
-  DualPass inside;
-  DualPass outside;
-  SurfaceClasses classes;
-  std::vector<Loop> loops;
+struct Solved : testing::WithLoops {
+  explicit Solved(const SmallVolume& volume) : WithLoops(volume), loops(all_loops()) {}
+  std::vector<Loop> loops;  // all, handles first
 };
 
 TEST(Loops, AreCompleteAndCertifiedOnNoise) {
@@ -58,8 +36,8 @@ TEST(Loops, OfATorusGoRoundTheTubeAndRoundTheHole) {
   const double n = 48;
   const Solved solved(testing::torus({48, 48, 48}));
   const double pi = 3.14159265358979;
-  EXPECT_NEAR(solved.length_of_kind(LoopKind::handle) / (2 * pi * 0.12 * n), 1.05, 0.06);
-  EXPECT_NEAR(solved.length_of_kind(LoopKind::tunnel) / (2 * pi * (0.28 - 0.12) * n), 1.05, 0.06);
+  EXPECT_NEAR(testing::total_length(solved.handles) / (2 * pi * 0.12 * n), 1.05, 0.06);
+  EXPECT_NEAR(testing::total_length(solved.tunnels) / (2 * pi * (0.28 - 0.12) * n), 1.05, 0.06);
   for (const Loop& loop : solved.loops) EXPECT_NEAR(loop.center_index[2], 23.5, 1.0);
 }
 

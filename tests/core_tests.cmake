@@ -1,6 +1,7 @@
 isoloop_add_tests(isoloop_core_tests
   SOURCES
     core_analysis_test.cpp
+    core_basis_exchange_test.cpp
     core_betti_test.cpp
     core_bit_column_test.cpp
     core_bounded_search_test.cpp
@@ -16,11 +17,13 @@ isoloop_add_tests(isoloop_core_tests
     core_label_test.cpp
     core_lattice_test.cpp
     core_level_test.cpp
+    core_loop_matching_test.cpp
     core_loop_search_test.cpp
     core_loops_test.cpp
     core_order_test.cpp
     core_pair_loops_test.cpp
     core_pair_test.cpp
+    core_shortest_basis_test.cpp
     core_sides_test.cpp
     core_spanning_forest_test.cpp
     core_surface_hierarchy_test.cpp
@@ -28,6 +31,7 @@ isoloop_add_tests(isoloop_core_tests
     core_surface_test.cpp
     core_vertex_pairs_test.cpp
     core_z2_basis_test.cpp
+    exact_basis.cpp
     explicit_complex.cpp
     layers_test.cpp
     literal_pair.cpp
@@ -35,9 +39,11 @@ isoloop_add_tests(isoloop_core_tests
   LIBRARIES isoloop::core TBB::tbb)
 target_compile_definitions(isoloop_core_tests PRIVATE ISOLOOP_SOURCE="${PROJECT_SOURCE_DIR}")
 
-# Ten thousand random volumes through both engines: minutes, so neither built nor run by default.
+# Ten thousand random volumes through both engines, and five hundred beside the least length that
+# loops can have: minutes, so neither built nor run by default.
 #   cmake --build --preset release --target isoloop_slow_tests
 #   build/release/tests/isoloop_slow_tests
-add_executable(isoloop_slow_tests EXCLUDE_FROM_ALL core_pair_slow_test.cpp random_volumes.cpp)
+add_executable(isoloop_slow_tests EXCLUDE_FROM_ALL
+  core_pair_slow_test.cpp core_shortest_basis_slow_test.cpp exact_basis.cpp random_volumes.cpp)
 target_link_libraries(isoloop_slow_tests PRIVATE
   isoloop::core isoloop_options TBB::tbb GTest::gtest_main)

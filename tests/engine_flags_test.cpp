@@ -33,5 +33,16 @@ TEST(EngineFlags, OfThePairEngineAreRefusedWithTheOther) {
                InvalidArgument);
 }
 
+TEST(EngineFlags, TightenByDefaultUnlessThePapersOwnLoopsAreAskedFor) {
+  EngineFlags flags;
+  EXPECT_EQ(tighten_of(flags), Tighten::basis);
+  flags.engine = "pair";
+  EXPECT_EQ(tighten_of(flags), Tighten::none);
+  for (const Tighten tighten : {Tighten::none, Tighten::basis}) {
+    flags.tighten = tighten_text(tighten);
+    EXPECT_EQ(tighten_of(flags), tighten);
+  }
+}
+
 }  // namespace
 }  // namespace isoloop

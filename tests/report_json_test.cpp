@@ -44,9 +44,10 @@ TEST(ReportJson, HasTheNamesOfTheDesign) {
   EXPECT_EQ(keys_of(json.at("surface")),
             (std::vector<std::string>{"vertices", "triangles", "components", "euler", "genus"}));
   EXPECT_EQ(keys_of(json.at("betti")), (std::vector<std::string>{"b0", "b1", "b2"}));
-  EXPECT_EQ(keys_of(json.at("loops").at(0)),
-            (std::vector<std::string>{"id", "kind", "fix", "length", "size", "component",
-                                      "center_index", "center_world", "curves", "certificate"}));
+  EXPECT_EQ(
+      keys_of(json.at("loops").at(0)),
+      (std::vector<std::string>{"id", "kind", "fix", "length", "found_length", "size", "component",
+                                "center_index", "center_world", "curves", "certificate"}));
   EXPECT_EQ(
       keys_of(json.at("seconds")),
       (std::vector<std::string>{"read", "surface", "closest", "sizes", "pass", "loops", "total"}));
@@ -63,6 +64,18 @@ TEST(ReportJson, ListsEveryComponentOfTheSurface) {
   EXPECT_EQ(
       components.at(1),
       Json({{"vertices", 6}, {"triangles", 8}, {"euler", 2}, {"genus", 0}, {"bounds", "cavity"}}));
+}
+
+TEST(ReportJson, StatesTotalLengthsOfEachKind) {
+  RunResult run = torus_run();
+  run.analysis.least_handle_length = 2.5;
+  const Json json = parsed(run);
+  EXPECT_EQ(json.at("conventions").at("tighten"), "basis");
+  EXPECT_DOUBLE_EQ(json.at("total").at("handles").at("length"), 2.598);
+  EXPECT_DOUBLE_EQ(json.at("total").at("handles").at("found_length"), 2.75);
+  EXPECT_DOUBLE_EQ(json.at("total").at("handles").at("lower_bound"), 2.5);
+  EXPECT_DOUBLE_EQ(json.at("total").at("tunnels").at("length"), 10.392);
+  EXPECT_TRUE(json.at("total").at("tunnels").at("lower_bound").is_null());
 }
 
 TEST(ReportJson, StatesCountsAndCost) {

@@ -25,11 +25,25 @@ void add_engine_flags(CLI::App& command, EngineFlags& flags) {
                   "write the edges of the surface that --engine pair pairs with triangles off it, "
                   "as CSV; - is standard output")
       ->type_name("FILE|-");
+  command
+      .add_option(
+          "--tighten", flags.tighten,
+          "how short loops become: none leaves them as found; basis (default, but none with "
+          "--engine pair) exchanges them for shorter ones, all of a kind together")
+      ->check(CLI::IsMember({"none", "basis"}))
+      ->type_name("HOW");
   command.add_flag("--stats", flags.stats, "print triangle counts and times, as the paper does");
 }
 
 Engine engine_of(const EngineFlags& flags) {
   return flags.engine == "pair" ? Engine::pair : Engine::dual;
+}
+
+Tighten tighten_of(const EngineFlags& flags) {
+  for (const Tighten tighten : {Tighten::none, Tighten::basis}) {
+    if (flags.tighten == tighten_text(tighten)) return tighten;
+  }
+  return engine_of(flags) == Engine::pair ? Tighten::none : Tighten::basis;
 }
 
 PairOptions pair_options(const EngineFlags& flags) {
@@ -46,6 +60,16 @@ PairOptions pair_options(const EngineFlags& flags) {
 }
 
 std::string engine_text(Engine engine) { return engine == Engine::pair ? "pair" : "dual"; }
+
+std::string tighten_text(Tighten tighten) {
+  switch (tighten) {
+    case Tighten::none:
+      return "none";
+    case Tighten::basis:
+      return "basis";
+  }
+  return "basis";
+}
 
 std::string refinement_text(Refinement refinement) {
   switch (refinement) {

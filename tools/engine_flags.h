@@ -13,19 +13,23 @@ struct EngineFlags {
   std::string engine = "dual";
   std::string refine;      // "none", "1", "2" or "both"; empty: both
   std::string dump_pairs;  // file, "-" or empty
+  std::string tighten{};   // "none" or "basis"; empty: basis, but none with `pair`
   bool stats = false;
 };
 
-/// Adds --engine, --refine, --dump-pairs and --stats. `flags` must outlive the parse.
+/// Adds --engine, --refine, --dump-pairs, --tighten and --stats. `flags` must outlive the parse.
 void add_engine_flags(CLI::App& command, EngineFlags& flags);
 
 Engine engine_of(const EngineFlags& flags);
+Tighten tighten_of(const EngineFlags& flags);
 
 /// Throws InvalidArgument where --refine or --dump-pairs is given and the engine is not `pair`.
 PairOptions pair_options(const EngineFlags& flags);
 
-/// As the flags spell them: "dual" or "pair"; "none", "1", "2" or "both".
+/// As the flags spell them: "dual" or "pair"; "none", "basis" or "curve"; "none", "1", "2" or
+/// "both".
 std::string engine_text(Engine engine);
+std::string tighten_text(Tighten tighten);
 std::string refinement_text(Refinement refinement);
 
 }  // namespace isoloop

@@ -70,10 +70,12 @@ void find(const LoopsFlags& flags) {
   run.geodesic = flags.geodesic == "exact" ? GeodesicMode::exact : GeodesicMode::hierarchy;
   run.engine = engine_of(flags.engine);
   run.refinement = pair.refinement;
+  run.tighten = tighten_of(flags.engine);
   run.filter = filter;
   run.analysis = find_loops(view(run.volume), run.level,
                             {.geodesic = run.geodesic,
                              .engine = run.engine,
+                             .tighten = run.tighten,
                              .pair = pair,
                              .count_volume_triangles = flags.engine.stats,
                              .progress = progress.callback()});

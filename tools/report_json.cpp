@@ -64,6 +64,7 @@ Json conventions_of(const RunResult& run) {
     conventions["geodesic"] = run.geodesic == GeodesicMode::exact ? "exact" : "hierarchy";
     conventions["engine"] = engine_text(run.engine);
     if (run.engine == Engine::pair) conventions["refinement"] = refinement_text(run.refinement);
+    conventions["tighten"] = tighten_text(run.tighten);
     conventions["infinite_size"] = "null: the loop joins two components of the surface";
   }
   conventions["coordinates"] = {{"frame", frame_text(run.volume.frame)},
@@ -104,6 +105,7 @@ Json loop_of(const RunResult& run, const Loop& loop) {
           {"kind", handle ? "handle" : "tunnel"},
           {"fix", handle ? "cut" : "fill"},
           {"length", loop.length},
+          {"found_length", loop.found_length},
           {"size", loop.size},
           {"component", loop.component},
           {"center_index", loop.center_index},
@@ -112,6 +114,20 @@ Json loop_of(const RunResult& run, const Loop& loop) {
           {"certificate",
            {{"inside", triviality(loop.certificate.trivial_inside)},
             {"outside", triviality(loop.certificate.trivial_outside)}}}};
+}
+
+// Of all loops of a kind, whatever the filter. The bound is one along edges of the surface.
+Json total_of(const RunResult& run, LoopKind kind, double least) {
+  double length = 0.0;
+  double found = 0.0;
+  for (const Loop& loop : run.analysis.loops) {
+    if (loop.kind != kind) continue;
+    length += loop.length;
+    found += loop.found_length;
+  }
+  return {{"length", length},
+          {"found_length", found},
+          {"lower_bound", least > 0.0 ? Json(least) : Json()}};
 }
 
 Json component_of(const SurfaceComponent& component) {
@@ -154,6 +170,9 @@ void write_json(std::ostream& out, const RunResult& run) {
   write_member(out, "betti", {{"b0", betti.b0}, {"b1", betti.b1}, {"b2", betti.b2}});
   if (run.with_loops) {
     write_member(out, "filter", filter_of(run));
+    write_member(out, "total",
+                 {{"handles", total_of(run, LoopKind::handle, run.analysis.least_handle_length)},
+                  {"tunnels", total_of(run, LoopKind::tunnel, run.analysis.least_tunnel_length)}});
     write_list(out, "loops", run.reported, [&run](const Loop& loop) { return loop_of(run, loop); });
   }
   write_member(out, "verified", true);

@@ -134,14 +134,20 @@ void write_total(std::ostream& out, const RunResult& run, LoopKind kind) {
   const auto loops = std::count_if(run.reported.begin(), run.reported.end(),
                                    [kind](const Loop& loop) { return loop.kind == kind; });
   double length = 0.0;
+  double found = 0.0;
   for (const Loop& loop : run.reported) {
-    if (loop.kind == kind) length += loop.length;
+    if (loop.kind != kind) continue;
+    length += loop.length;
+    found += loop.found_length;
   }
   const bool handle = kind == LoopKind::handle;
+  const int decimals = length_decimals(run.volume.spacing);
   out << "total length of "
       << counted(loops, handle ? "handle loop" : "tunnel loop",
                  handle ? "handle loops" : "tunnel loops")
-      << ": " << fixed_text(length, length_decimals(run.volume.spacing)) << '\n';
+      << ": " << fixed_text(length, decimals);
+  if (run.tighten != Tighten::none) out << " (as found: " << fixed_text(found, decimals) << ')';
+  out << '\n';
 }
 
 void write_loops(std::ostream& out, const RunResult& run) {

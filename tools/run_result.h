@@ -42,6 +42,7 @@ struct RunResult {
   GeodesicMode geodesic = GeodesicMode::hierarchy;
   Engine engine = Engine::dual;
   Refinement refinement = Refinement::both;  // of the engine `pair`
+  Tighten tighten = Tighten::basis;
   Analysis analysis;
   bool with_loops = true;  // false: counted only
   LoopFilter filter;
