@@ -10,11 +10,9 @@
 namespace isoloop {
 namespace {
 
-constexpr std::uint32_t few_sheets = 4;  // where the effort does not reach far
-constexpr std::uint32_t many_sheets =
-    64;                            // where it does; more than any small surface was seen to need
-constexpr std::size_t batch = 16;  // searches between two looks at the effort spent
-constexpr std::size_t own_starts = 8;  // searches that try to shorten a curve that was exchanged
+constexpr std::uint32_t most_sheets = 8;  // where the effort suffices for so many
+constexpr std::size_t batch = 16;         // searches between two looks at the effort spent
+constexpr std::size_t own_starts = 8;     // searches that try to shorten a curve that was exchanged
 constexpr int most_rounds = 8;
 
 /// A loop of the other kind, as what this side's loops have to cross.
@@ -134,16 +132,20 @@ class Shortening {
     for (std::size_t done = 0; done < open.size() && left_ > 0.0; done = cost.size()) {
       std::vector<SearchStart> pilots;
       for (std::size_t o = done; o < std::min(done + batch, open.size()); ++o)
-        pilots.push_back(start_at(open[o], 0, longest[open[o]], few_sheets));
+        pilots.push_back(start_at(open[o], 0, longest[open[o]], 1));
       const std::vector<SearchCost> costs = search(pilots);
       cost.insert(cost.end(), costs.begin(), costs.end());
     }
     open.resize(cost.size());
     const std::vector<std::size_t> count = plan(open, cost, longest);
     std::vector<Searched> searched;
-    for (std::size_t o = 0; o < open.size(); ++o)
+    double planned = 1.0;
+    for (std::size_t o = 0; o < open.size(); ++o) {
       searched.push_back({open[o], count[o], longest[open[o]], cost[o].shortest_crossing});
-    search_from(searched);
+      planned += static_cast<double>(cost[o].settled * count[o]);
+    }
+    search_from(searched,
+                static_cast<std::uint32_t>(std::clamp(left_ / planned, 1.0, double{most_sheets})));
     return total() < before;
   }
 
@@ -187,7 +189,7 @@ class Shortening {
     double least_met = 0.0;  // from the first vertex
   };
 
-  void search_from(const std::vector<Searched>& searched) {
+  void search_from(const std::vector<Searched>& searched, std::uint32_t sheets) {
     std::vector<SearchStart> starts;
     std::vector<std::uint32_t> from;
     for (const Searched& one : searched) {
@@ -197,8 +199,7 @@ class Shortening {
         started.push_back(k * crossed.vertices.size() / one.count);
       const bool is_all = one.count == crossed.vertices.size();
       for (std::size_t k = is_all ? 0 : 1; k < one.count; ++k) {
-        starts.push_back(
-            start_at(one.of, started[k], one.longest, is_all ? many_sheets : few_sheets));
+        starts.push_back(start_at(one.of, started[k], one.longest, is_all ? sheets : 1));
         from.push_back(one.of);
       }
       crossed.searched = one.longest;
@@ -221,7 +222,7 @@ class Shortening {
       for (const Curve& curve : member.curves) {
         const std::size_t count = std::min(curve.size(), own_starts);
         for (std::size_t k = 0; k < count; ++k)
-          starts.push_back({curve[k * curve.size() / count], {member.length, few_sheets}, {}});
+          starts.push_back({curve[k * curve.size() / count], {member.length, 1}, {}});
       }
     }
     for (std::size_t done = 0; done < starts.size() && left_ > 0.0; done += batch)
