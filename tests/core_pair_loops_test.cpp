@@ -14,6 +14,7 @@ namespace {
 AnalysisOptions pair_options(Refinement refinement) {
   AnalysisOptions options;
   options.engine = Engine::pair;
+  options.tighten = Tighten::none;
   options.pair.refinement = refinement;
   return options;
 }
