@@ -18,7 +18,7 @@ shapes=(
   "engine_block 128")
 
 genus_in() { sed -n 's/.*, genus \([0-9]*\)$/\1/p' "$1"; }
-lengths_in() { sed -n 's/^total length of .*: //p' "$1" | paste -sd'|' | sed 's/|/ | /'; }
+lengths_in() { sed -n 's/^total length of [^:]*: \([0-9.]*\).*/\1/p' "$1" | paste -sd'|' | sed 's/|/ | /'; }
 
 # NAME FILE FLAG...: one row. A run whose engines disagree on the killing pieces ends with code 5.
 length_row() {
