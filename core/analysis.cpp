@@ -48,8 +48,8 @@ struct Cut {
   Surface surface;
 };
 
-Cut cut_volume(const AnyGridView& grid, const IsoLevel& level, bool with_graph) {
-  Sides sides = classify(grid, level);
+Cut cut_volume(const AnyGridView& grid, const IsoLevel& level, Boundary boundary, bool with_graph) {
+  Sides sides = classify(grid, level, boundary);
   EdgeIndex edges(sides);
   Surface surface = extract_surface(grid, level, sides, edges, with_graph);
   return {std::move(sides), std::move(edges), std::move(surface)};
@@ -60,32 +60,39 @@ struct Passes {
   DualPass outside;
 };
 
-Passes run_passes(const GridComplex& inside, const GridComplex& outside, std::int64_t genus) {
+Passes run_passes(const Surface& surface, const GridComplex& inside, const GridComplex& outside) {
   Passes passes;
-  const auto solve = [genus](const GridComplex& complex, DualPass& pass, const char* name) {
+  const auto solve = [](const GridComplex& complex, DualPass& pass, const char* name) {
     pass = dual_pass(complex);
-    if (static_cast<std::int64_t>(pass.killing.size()) != genus)
-      throw SelfCheckFailed("the surface has genus " + std::to_string(genus) + ", but " +
-                            std::to_string(pass.killing.size()) + " generators survive " + name);
     if (!labels_are_consistent(complex, pass))
       throw SelfCheckFailed(std::string("the labels ") + name +
                             " do not sum to zero round an edge");
   };
   tbb::parallel_invoke([&] { solve(inside, passes.inside, "inside"); },
                        [&] { solve(outside, passes.outside, "outside"); });
+  const auto in = static_cast<std::int64_t>(passes.inside.killing.size());
+  const auto out = static_cast<std::int64_t>(passes.outside.killing.size());
+  if (in + out != surface.betti1() || (surface.boundary == Boundary::closed && in != out))
+    throw SelfCheckFailed("the surface has " + std::to_string(surface.betti1()) +
+                          " independent loops, but " + std::to_string(in) +
+                          " generators survive inside and " + std::to_string(out) + " outside");
   return passes;
 }
 
 /// Both engines ran under the same total order, so they must name the same killing pieces.
 void check_engines_agree(const std::vector<SurfacePair>& pairs, const Passes& passes) {
-  std::vector<std::uint32_t> of_dual;
-  for (const KillingPiece& killing : passes.inside.killing) of_dual.push_back(killing.piece);
-  for (const KillingPiece& killing : passes.outside.killing) of_dual.push_back(killing.piece);
-  const auto same_piece = [](const SurfacePair& pair, std::uint32_t piece) {
-    return pair.piece == piece;
-  };
-  if (!std::equal(pairs.begin(), pairs.end(), of_dual.begin(), of_dual.end(), same_piece))
-    throw SelfCheckFailed("PAIR and the dual pass find different killing pieces");
+  for (const Side side : {Side::inside, Side::outside}) {
+    const DualPass& pass = side == Side::inside ? passes.inside : passes.outside;
+    std::vector<std::uint32_t> of_pair;
+    for (const SurfacePair& pair : pairs)
+      if (pair.side == side) of_pair.push_back(pair.piece);
+    const auto same_piece = [](std::uint32_t piece, const KillingPiece& killing) {
+      return piece == killing.piece;
+    };
+    if (!std::equal(of_pair.begin(), of_pair.end(), pass.killing.begin(), pass.killing.end(),
+                    same_piece))
+      throw SelfCheckFailed("PAIR and the dual pass find different killing pieces");
+  }
 }
 
 /// One side's borders and their classes, which say what each loop closes.
@@ -97,7 +104,8 @@ struct BorderedSide {
 BorderedSide border_of(const Surface& surface, const SurfaceClasses& classes,
                        const GridComplex& complex, const DualPass& pass) {
   BorderedSide side{killing_borders(complex, pass), {}};
-  side.classes = border_classes(surface, classes, complex.side(), side.borders);
+  const Side seen_from = side_of(kind_on(surface.boundary, complex.side()));
+  side.classes = border_classes(surface, classes, seen_from, side.borders);
   return side;
 }
 
@@ -113,8 +121,9 @@ Analysis count_topology(const AnyGridView& grid, const IsoLevel& level,
                         const AnalysisOptions& options) {
   StageClock clock(options.progress);
   Analysis analysis;
-  analysis.surface = clock.run("surface", 0.0, analysis.seconds.surface,
-                               [&] { return cut_volume(grid, level, false).surface; });
+  analysis.surface = clock.run("surface", 0.0, analysis.seconds.surface, [&] {
+    return cut_volume(grid, level, options.boundary, false).surface;
+  });
   analysis.betti = betti_numbers(analysis.surface);
   return analysis;
 }
@@ -124,11 +133,11 @@ Analysis find_loops(const AnyGridView& grid, const IsoLevel& level,
   StageClock clock(options.progress);
   Analysis analysis;
   StageSeconds& seconds = analysis.seconds;
-  Cut cut =
-      clock.run("surface", 0.0, seconds.surface, [&] { return cut_volume(grid, level, true); });
+  Cut cut = clock.run("surface", 0.0, seconds.surface,
+                      [&] { return cut_volume(grid, level, options.boundary, true); });
   const Surface& surface = cut.surface;
   analysis.betti = betti_numbers(surface);
-  if (surface.genus() > 0) {
+  if (surface.betti1() > 0) {
     const std::vector<std::uint32_t> closest = clock.run("closest", 0.05, seconds.closest, [&] {
       return closest_surface_vertices(cut.sides, cut.edges, surface);
     });
@@ -137,8 +146,8 @@ Analysis find_loops(const AnyGridView& grid, const IsoLevel& level,
     });
     const GridComplex inside(cut.sides, cut.edges, sizes, Side::inside);
     const GridComplex outside(cut.sides, cut.edges, sizes, Side::outside);
-    const Passes passes = clock.run("pass", 0.5, seconds.pass,
-                                    [&] { return run_passes(inside, outside, surface.genus()); });
+    const Passes passes =
+        clock.run("pass", 0.5, seconds.pass, [&] { return run_passes(surface, inside, outside); });
     if (options.engine == Engine::pair)
       analysis.pairs = clock.run("pair", 0.7, seconds.pair, [&] {
         std::vector<SurfacePair> pairs = pair_simplices(surface, inside, outside, options.pair);
@@ -146,8 +155,10 @@ Analysis find_loops(const AnyGridView& grid, const IsoLevel& level,
         return pairs;
       });
     analysis.loops = clock.run("loops", 0.8, seconds.loops, [&] {
+      const bool open = surface.boundary == Boundary::open;
       const SurfaceClasses classes =
-          surface_classes(surface, inside, passes.inside, outside, passes.outside);
+          open ? surface_classes(surface)
+               : surface_classes(surface, inside, passes.inside, outside, passes.outside);
       const BorderedSide in = border_of(surface, classes, inside, passes.inside);
       const BorderedSide out = border_of(surface, classes, outside, passes.outside);
       std::vector<Loop> loops;
@@ -158,10 +169,14 @@ Analysis find_loops(const AnyGridView& grid, const IsoLevel& level,
                               closest);
         std::vector<Loop> tunnels = loops_of_side(
             surface, classes, {outside, passes.outside, out.borders, out.classes}, closest);
-        std::move(tunnels.begin(), tunnels.end(), std::back_inserter(loops));
+        if (open) {
+          loops = merged_by_size(std::move(loops), std::move(tunnels));
+        } else {
+          std::move(tunnels.begin(), tunnels.end(), std::back_inserter(loops));
+        }
       }
       certify(surface, classes, loops);
-      if (options.tighten != Tighten::none) {
+      if (options.tighten != Tighten::none && !open) {
         const SideLoops handles{{loops.data(), loops.size() / 2}, in.classes};
         const SideLoops tunnels{{loops.data() + loops.size() / 2, loops.size() / 2}, out.classes};
         analysis.least_handle_length = shorten_basis(surface, classes, handles, tunnels);

@@ -27,9 +27,10 @@ enum class Engine { dual, pair };
 enum class Tighten { none, basis };
 
 struct AnalysisOptions {
+  Boundary boundary = Boundary::closed;
   GeodesicMode geodesic = GeodesicMode::hierarchy;
   Engine engine = Engine::dual;
-  Tighten tighten = Tighten::basis;
+  Tighten tighten = Tighten::basis;     // not read with an open boundary
   PairOptions pair{};                   // read by the engine `pair` alone
   bool count_volume_triangles = false;  // fills Analysis::volume_triangles
   Progress progress;                    // may be empty
@@ -48,7 +49,7 @@ struct StageSeconds {
 struct Analysis {
   Surface surface;
   Betti betti;
-  std::vector<Loop> loops;         // handles by size, then tunnels by size; every one certified
+  std::vector<Loop> loops;         // handles, then tunnels, or loops; each by size; all certified
   std::vector<SurfacePair> pairs;  // engine `pair`: what pair_simplices() returns
   /// No basis of the handle loops, or of the tunnel loops, has a smaller total length along edges
   /// of M; 0 where nothing is known. Unit of the spacing.

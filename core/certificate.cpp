@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include "core/errors.h"
+#include "core/surface_order.h"
 
 namespace isoloop {
 namespace {
@@ -113,6 +114,21 @@ SurfaceClasses surface_classes(const Surface& surface, const GridComplex& inside
       classes.of_edge[edge_between(surface.graph, corners[i], corners[(i + 1) % 3])] = label;
     }
   }
+  return classes;
+}
+
+SurfaceClasses surface_classes(const Surface& surface) {
+  const SurfaceOrder order = order_surface(surface);
+  SurfaceClasses classes;
+  classes.outside_rank = order.killed - order.tree;
+  std::vector<std::uint32_t> of_row(order.row_count());
+  for (std::uint32_t generator = 0; generator < classes.outside_rank; ++generator)
+    of_row[order.tree + generator] = classes.pool.intern({&generator, 1});
+  // A triangle's border has class 0; of its edges the youngest is last to get its value.
+  for (std::uint32_t row = order.killed; row < order.row_count(); ++row)
+    for (const std::uint32_t edge : order.killed_cycles[row - order.killed])
+      if (edge != row) of_row[row] = classes.pool.sum(of_row[row], of_row[edge]);
+  for (const std::uint32_t row : order.row_of_edge) classes.of_edge.push_back(of_row[row]);
   return classes;
 }
 

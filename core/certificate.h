@@ -25,6 +25,10 @@ struct SurfaceClasses {
   std::vector<std::uint32_t> of_edge;  // by edge number of the graph; numbers in pool
 };
 
+/// The same where the sides are not told apart: a cocycle with its values in H1(M), one generator
+/// for each edge that stays unpaired after M (core/surface_order.h). inside_rank is 0.
+SurfaceClasses surface_classes(const Surface& surface);
+
 /// Pushes M's edges off M to either side. At a vertex of M a walk turns round a grid edge from one
 /// cube to another; the labels of the pieces that it passes sum to its class.
 SurfaceClasses surface_classes(const Surface& surface, const GridComplex& inside,

@@ -40,8 +40,6 @@ std::uint32_t brick_place(const Lattice& lattice, std::uint32_t vertex, int bits
 EdgeIndex::EdgeIndex(const Sides& sides) {
   const std::uint32_t vertices = sides.lattice.vertex_count();
   blocks_.resize((vertices + 63) / 64);
-  // The last vertex along each axis is outside and so is the first: an edge that would wrap round
-  // the box's border joins two outside vertices and never counts as cut.
   tbb::parallel_for(std::uint32_t{0}, block_count(), [&](std::uint32_t b) {
     for (std::uint32_t a = 0; a < 3; ++a) {
       std::uint64_t bits = 0;
@@ -49,6 +47,12 @@ EdgeIndex::EdgeIndex(const Sides& sides) {
       for (std::uint32_t i = 0, v = 64 * b; i < 64 && v + stride < vertices; ++i, ++v)
         bits |= std::uint64_t{static_cast<std::uint8_t>(sides.inside[v] ^ sides.inside[v + stride])}
                 << i;
+      // The edge that would lead from the last vertex along an axis out of the box is none.
+      for (std::uint64_t left = bits; left != 0; left &= left - 1) {
+        const auto i = static_cast<std::uint32_t>(std::countr_zero(left));
+        if (sides.lattice.position(64 * b + i)[a] + 1 == sides.lattice.dims[a])
+          bits ^= std::uint64_t{1} << i;
+      }
       blocks_[b].cut[a] = bits;
     }
   });

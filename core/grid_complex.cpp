@@ -71,7 +71,7 @@ std::uint32_t GridComplex::piece_bound() const {
 }
 
 std::uint32_t GridComplex::cell_bound() const {
-  return sides_.lattice.vertex_count() + extra_cells_ + (side_ == Side::outside ? 1 : 0);
+  return sides_.lattice.vertex_count() + extra_cells_ + 1;
 }
 
 std::vector<std::uint32_t> GridComplex::pieces() const {

@@ -15,9 +15,9 @@ namespace isoloop {
 
 /// Cells and pieces of one side. Numbers (see Lattice): a face's first piece has the face's number,
 /// its second piece (the part at the later corner, where M separates two) comes after all faces; a
-/// cube's first cell has the cube's number, further cells come after all cubes. On the outside one
-/// more cell, last, is all that lies beyond the box. An interior edge, full or cut, has the number
-/// of its grid edge.
+/// cube's first cell has the cube's number, further cells come after all cubes. One more cell,
+/// last, is all that lies beyond the box on this side; M keeps the inside from it unless the
+/// boundary is open. An interior edge, full or cut, has the number of its grid edge.
 class GridComplex {
  public:
   /// Keeps references: all three must outlive it.

@@ -1,6 +1,8 @@
 #include "core/loops.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
@@ -19,8 +21,6 @@ namespace {
 
 constexpr double any_length = std::numeric_limits<double>::infinity();
 constexpr std::size_t starts_per_curve = 8;  // searches that try to shorten a curve
-
-std::string name_of(LoopKind kind) { return kind == LoopKind::handle ? "handle" : "tunnel"; }
 
 Vec3 center_of(const Surface& surface, std::span<const Curve> curves) {
   Vec3 sum{};
@@ -46,7 +46,7 @@ class LoopFinder {
         classes_(classes),
         side_(side),
         closest_(closest),
-        kind_(kind_on(side.complex.side())) {}
+        kind_(kind_on(surface.boundary, side.complex.side())) {}
 
   Loop find(std::uint32_t i, LoopSearch& search) const {
     std::vector<Curve> curves = single_curve(i, search);
@@ -132,6 +132,18 @@ class LoopFinder {
 
 }  // namespace
 
+std::string name_of(LoopKind kind) {
+  switch (kind) {
+    case LoopKind::handle:
+      return "handle loop";
+    case LoopKind::tunnel:
+      return "tunnel loop";
+    case LoopKind::loop:
+      return "loop";
+  }
+  return "loop";
+}
+
 Loop measured_loop(const Surface& surface, LoopKind kind, int id, double size,
                    std::vector<Curve> curves) {
   Loop loop;
@@ -150,8 +162,9 @@ std::vector<Loop> loops_of_side(const Surface& surface, const SurfaceClasses& cl
                                 const SolvedSide& side, const std::vector<std::uint32_t>& closest) {
   const LoopFinder finder(surface, classes, side, closest);
   std::vector<Loop> loops(side.pass.killing.size());
+  const Side seen_from = side_of(kind_on(surface.boundary, side.complex.side()));
   tbb::enumerable_thread_specific<LoopSearch> searches(
-      [&] { return LoopSearch(surface, classes, side.complex.side()); });
+      [&] { return LoopSearch(surface, classes, seen_from); });
   // Large sizes search far: taken first and one by one, they do not wait at the end.
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, loops.size(), 1), [&](const auto& range) {
     for (std::size_t k = range.begin(); k < range.end(); ++k) {
@@ -162,25 +175,41 @@ std::vector<Loop> loops_of_side(const Surface& surface, const SurfaceClasses& cl
   return loops;
 }
 
+std::vector<Loop> merged_by_size(std::vector<Loop> inside, std::vector<Loop> outside) {
+  std::vector<Loop> loops = std::move(inside);
+  std::move(outside.begin(), outside.end(), std::back_inserter(loops));
+  std::stable_sort(loops.begin(), loops.end(),
+                   [](const Loop& a, const Loop& b) { return a.size < b.size; });
+  for (std::size_t i = 0; i < loops.size(); ++i) loops[i].id = static_cast<int>(i) + 1;
+  return loops;
+}
+
 void certify(const Surface& surface, const SurfaceClasses& classes, std::vector<Loop>& loops) {
-  Z2Basis handles;
-  Z2Basis tunnels;
+  std::array<Z2Basis, 3> bases;  // by kind
   for (Loop& loop : loops) {
     const SplitClass parts =
         split_class(classes, side_of(loop.kind), class_of(surface, classes, loop.curves));
-    Z2Basis& basis = loop.kind == LoopKind::handle ? handles : tunnels;
-    const std::string name = name_of(loop.kind) + " loop " + std::to_string(loop.id);
+    const std::string name = name_of(loop.kind) + " " + std::to_string(loop.id);
     if (loop.curves.empty() || !parts.own.empty() || parts.other.empty())
-      throw SelfCheckFailed(name + " does not bound on its own side alone");
-    if (!basis.add(parts.other)) throw SelfCheckFailed(name + " depends on the loops before it");
+      throw SelfCheckFailed(name + (loop.kind == LoopKind::loop
+                                        ? " bounds on the surface"
+                                        : " does not bound on its own side alone"));
+    if (!bases[static_cast<std::size_t>(loop.kind)].add(parts.other))
+      throw SelfCheckFailed(name + " depends on the loops before it");
+    loop.certificate.nontrivial_on_surface = true;
     loop.certificate.trivial_inside = loop.kind == LoopKind::handle;
     loop.certificate.trivial_outside = loop.kind == LoopKind::tunnel;
   }
-  const std::int64_t genus = surface.genus();
-  if (handles.rank() != genus || tunnels.rank() != genus)
-    throw SelfCheckFailed("the surface has genus " + std::to_string(genus) + ", but " +
-                          std::to_string(handles.rank()) + " handle loops and " +
-                          std::to_string(tunnels.rank()) + " tunnel loops were proved");
+  const bool open = surface.boundary == Boundary::open;
+  const std::int64_t each = open ? 0 : surface.genus();
+  const std::array<std::int64_t, 3> wanted{each, each, open ? surface.betti1() : 0};
+  for (const LoopKind kind : {LoopKind::handle, LoopKind::tunnel, LoopKind::loop}) {
+    const auto k = static_cast<std::size_t>(kind);
+    if (bases[k].rank() != wanted[k])
+      throw SelfCheckFailed("the surface asks for " + std::to_string(wanted[k]) + " " +
+                            name_of(kind) + "s, but " + std::to_string(bases[k].rank()) +
+                            " were proved");
+  }
 }
 
 }  // namespace isoloop

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/certificate.h"
@@ -15,18 +16,28 @@
 namespace isoloop {
 
 /// A handle loop bounds in I (cut there to remove the handle), a tunnel loop in O (fill there).
-enum class LoopKind { handle, tunnel };
+/// With an open boundary the sides are not told apart, and every loop is a `loop`.
+enum class LoopKind { handle, tunnel, loop };
 
-/// The side of M on which loops of a kind bound, and the other way round.
+/// "handle loop", "tunnel loop" or "loop".
+std::string name_of(LoopKind kind);
+
+/// The side of M from which classes are seen (split_class) so that the own part of those of a kind
+/// vanishes: the side on which they bound, and either where the sides are not told apart.
 constexpr Side side_of(LoopKind kind) {
-  return kind == LoopKind::handle ? Side::inside : Side::outside;
+  return kind == LoopKind::tunnel ? Side::outside : Side::inside;
 }
-constexpr LoopKind kind_on(Side side) {
+
+/// The kind of the loops that pieces on a side kill.
+constexpr LoopKind kind_on(Boundary boundary, Side side) {
+  if (boundary == Boundary::open) return LoopKind::loop;
   return side == Side::inside ? LoopKind::handle : LoopKind::tunnel;
 }
 
-/// What was proved of a loop: whether its class vanishes in H1(I) and in H1(O).
+/// What was proved of a loop: that its class in H1(M) is not 0 and independent of those of the
+/// other loops; and, unless its kind is `loop`, whether it vanishes in H1(I) and in H1(O).
 struct LoopCertificate {
+  bool nontrivial_on_surface = false;
   bool trivial_inside = false;
   bool trivial_outside = false;
 };
@@ -56,15 +67,20 @@ struct SolvedSide {
   const Z2Basis& border_classes;
 };
 
-/// The loops that bound on `side`, one for each killing piece, by size: loop i is born on M, is
-/// trivial on this side from killing piece i on and not before. `closest`: by lattice vertex.
-/// Close to the shortest such loop near the piece; where no single closed curve will do (it takes
-/// two on nested tori), the border of the surface that the labels span, each curve tightened.
+/// The loops of kind_on(surface.boundary, side) that bound on `side`, one for each killing piece,
+/// by size: loop i is born on M, is trivial on this side from killing piece i on and not before.
+/// `closest`: by lattice vertex. Close to the shortest such loop near the piece; where no single
+/// closed curve will do (it takes two on nested tori), the border of the surface that the labels
+/// span, each curve tightened.
 std::vector<Loop> loops_of_side(const Surface& surface, const SurfaceClasses& classes,
                                 const SolvedSide& side, const std::vector<std::uint32_t>& closest);
 
-/// Proves the loops of both sides from scratch: closed, on M, trivial on their own side only, and
-/// independent, genus(M) of each kind. Fills in the certificates. Throws SelfCheckFailed.
+/// Puts the loops of two sides that are not told apart in one order, by size, and numbers them.
+std::vector<Loop> merged_by_size(std::vector<Loop> inside, std::vector<Loop> outside);
+
+/// Proves the loops from scratch: closed, on M, trivial on their own side only, and independent,
+/// genus(M) of each kind; those of kind `loop`: independent in H1(M), and as many as its rank.
+/// Fills in the certificates. Throws SelfCheckFailed.
 void certify(const Surface& surface, const SurfaceClasses& classes, std::vector<Loop>& loops);
 
 }  // namespace isoloop

@@ -1,7 +1,10 @@
 #include "core/pair.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <bit>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <span>
@@ -42,6 +45,11 @@ std::vector<std::uint32_t> killing_candidates(const GridComplex& complex, Refine
   pieces.resize(kept);
   std::reverse(pieces.begin(), pieces.end());
   return pieces;
+}
+
+std::uint32_t youngest_of(const BitColumn& column) {
+  if (column.empty()) throw SelfCheckFailed("PAIR's columns and the voids contradict each other");
+  return column.youngest();
 }
 
 struct SideRows {
@@ -95,13 +103,14 @@ class ReducedColumns {
   std::vector<std::uint32_t> rows_;
 };
 
-struct Killing {
+/// A piece that kills, and the first cycle on M that its reduction comes to.
+struct FirstCycle {
+  const GridComplex* complex = nullptr;
   std::uint32_t piece = 0;
-  std::vector<std::uint32_t> cycle;  // rows
-  GeneratorSet unpaired;             // of the cycle at the end of the reduction: rows of M's
-                                     // edges that stay unpaired after M, ascending
+  std::vector<std::uint32_t> rows;
 };
 
+/// The reduction as far as edges off M go, which knows nothing of the other side.
 class SidePairing {
  public:
   SidePairing(const Surface& surface, const SurfaceOrder& order, const GridComplex& complex,
@@ -114,12 +123,15 @@ class SidePairing {
         column_(rows_.bound),
         columns_(rows_.bound) {}
 
-  std::vector<Killing> run(std::size_t genus) {
-    std::vector<Killing> found;
+  /// Stops at `at_most` cycles, and where none is `missing` on either side; counts `missing` down.
+  std::vector<FirstCycle> run(std::int64_t at_most, std::atomic<std::int64_t>& missing) {
+    std::vector<FirstCycle> found;
     for (const std::uint32_t piece : killing_candidates(complex_, refinement_)) {
-      if (found.size() == genus) break;
+      if (static_cast<std::int64_t>(found.size()) == at_most || missing <= 0) break;
       if (pair_off_surface(piece)) continue;
-      found.push_back(pair_on_surface(piece));
+      found.push_back({&complex_, piece, {}});
+      column_.drain(found.back().rows);
+      --missing;
     }
     return found;
   }
@@ -133,20 +145,6 @@ class SidePairing {
       border_.push_back(row_between(surface_, order_, segment[0], segment[1]));
   }
 
-  std::uint32_t youngest() const {
-    if (column_.empty())
-      throw SelfCheckFailed("PAIR's columns and the voids contradict each other");
-    return column_.youngest();
-  }
-
-  void add_column(std::uint32_t row) {
-    if (row >= order_.killed && row < order_.row_count()) {
-      for (const std::uint32_t r : order_.killed_cycles[row - order_.killed]) column_.flip(r);
-    } else {
-      columns_.for_each_row(row, [&](std::uint32_t r) { column_.flip(r); });
-    }
-  }
-
   /// Pairs the piece with an edge off M, or leaves in column_ the first cycle on M: false.
   bool pair_off_surface(std::uint32_t piece) {
     load_border(piece);
@@ -157,7 +155,7 @@ class SidePairing {
     }
     for (const std::uint32_t row : border_) column_.flip(row);
     for (;;) {
-      const std::uint32_t row = youngest();
+      const std::uint32_t row = youngest_of(column_);
       if (row < order_.row_count()) return false;
       if (!columns_.has(row)) {
         border_.clear();
@@ -165,25 +163,8 @@ class SidePairing {
         columns_.add(row, border_);
         return true;
       }
-      add_column(row);
+      columns_.for_each_row(row, [&](std::uint32_t r) { column_.flip(r); });
     }
-  }
-
-  /// Reduces the cycle on M in column_, down to an edge that is unpaired still.
-  Killing pair_on_surface(std::uint32_t piece) {
-    Killing killing{piece, {}, {}};
-    if (takes_first_cycle(refinement_)) {
-      column_.drain(killing.cycle);
-      for (const std::uint32_t row : killing.cycle) column_.flip(row);
-    }
-    while (youngest() >= order_.killed || columns_.has(youngest())) add_column(youngest());
-    border_.clear();
-    column_.drain(border_);
-    columns_.add(border_.front(), border_);
-    if (!takes_first_cycle(refinement_)) killing.cycle = border_;
-    for (auto row = border_.rbegin(); row != border_.rend(); ++row)
-      if (*row >= order_.tree) killing.unpaired.push_back(*row);
-    return killing;
   }
 
   const Surface& surface_;
@@ -196,8 +177,58 @@ class SidePairing {
   std::vector<std::uint32_t> border_;
 };
 
-/// The edges that pair in the filtration M, inside, outside: the cycles of the outside are reduced
-/// by those of the inside too, so that no edge is taken twice.
+struct Killing {
+  const GridComplex* complex = nullptr;
+  std::uint32_t piece = 0;
+  std::vector<std::uint32_t> cycle;  // rows
+  GeneratorSet unpaired;             // of the cycle at the end of the reduction: rows of M's
+                                     // edges that stay unpaired after M, ascending
+};
+
+/// The rest of the reduction, among edges of M alone.
+class CyclePairing {
+ public:
+  CyclePairing(const SurfaceOrder& order, Refinement refinement)
+      : order_(order),
+        refinement_(refinement),
+        column_(order.row_count()),
+        columns_(order.row_count()) {}
+
+  /// Reduces a cycle down to an edge that is unpaired still.
+  Killing reduce(const FirstCycle& first) {
+    Killing killing{first.complex, first.piece, {}, {}};
+    for (const std::uint32_t row : first.rows) column_.flip(row);
+    for (std::uint32_t row = youngest_of(column_); row >= order_.killed || columns_.has(row);
+         row = youngest_of(column_))
+      for_each_row_of(row, [&](std::uint32_t r) { column_.flip(r); });
+    std::vector<std::uint32_t> last;
+    column_.drain(last);
+    for (auto row = last.rbegin(); row != last.rend(); ++row)
+      if (*row >= order_.tree) killing.unpaired.push_back(*row);
+    killing.cycle = takes_first_cycle(refinement_) ? first.rows : last;
+    columns_.add(last.front(), last);
+    return killing;
+  }
+
+ private:
+  /// Of the reduced column whose youngest row is `row`.
+  template <class Visit>
+  void for_each_row_of(std::uint32_t row, const Visit& visit) const {
+    if (row >= order_.killed) {
+      for (const std::uint32_t r : order_.killed_cycles[row - order_.killed]) visit(r);
+    } else {
+      columns_.for_each_row(row, visit);
+    }
+  }
+
+  const SurfaceOrder& order_;
+  Refinement refinement_;
+  BitColumn column_;
+  ReducedColumns columns_;
+};
+
+/// The edges that pair in the one filtration of both sides: the cycles that come later are reduced
+/// by all before them, whatever their side, so that no edge is taken twice.
 class EdgePairing {
  public:
   std::uint32_t take(GeneratorSet rows) {
@@ -216,6 +247,49 @@ class EdgePairing {
   std::unordered_map<std::uint32_t, GeneratorSet> by_youngest_;
 };
 
+using FirstCycles = std::array<std::vector<FirstCycle>, 2>;  // inside, outside
+
+FirstCycles find_first_cycles(const Surface& surface, const SurfaceOrder& order,
+                              const GridComplex& inside, const GridComplex& outside,
+                              Refinement refinement) {
+  // How many classes die on each side is known where M is closed; together they are all of H1(M).
+  const std::int64_t at_most =
+      surface.boundary == Boundary::closed ? surface.genus() : surface.betti1();
+  std::atomic<std::int64_t> missing = surface.betti1();
+  FirstCycles found;
+  const auto run = [&](const GridComplex& complex, std::vector<FirstCycle>& cycles) {
+    cycles = SidePairing(surface, order, complex, refinement).run(at_most, missing);
+  };
+  tbb::parallel_invoke([&] { run(inside, found[0]); }, [&] { run(outside, found[1]); });
+  if (missing != 0)
+    throw SelfCheckFailed("of " + std::to_string(surface.betti1()) +
+                          " independent loops on the surface PAIR left " +
+                          std::to_string(missing.load()) + " unpaired");
+  return found;
+}
+
+/// Where the sides are told apart, each is reduced for itself; else both in the one order.
+std::vector<Killing> reduce_cycles(const Surface& surface, const SurfaceOrder& order,
+                                   FirstCycles found, Refinement refinement) {
+  if (surface.boundary == Boundary::open) {
+    std::vector<FirstCycle> merged;
+    const auto key = [&](const FirstCycle& cycle) {
+      return std::pair(orders_by_size(refinement) ? cycle.complex->size(cycle.piece) : 0.0F,
+                       cycle.piece);
+    };
+    std::merge(found[0].begin(), found[0].end(), found[1].begin(), found[1].end(),
+               std::back_inserter(merged),
+               [&](const FirstCycle& a, const FirstCycle& b) { return key(a) < key(b); });
+    found = {std::move(merged), {}};
+  }
+  std::vector<Killing> killings;
+  for (const std::vector<FirstCycle>& cycles : found) {
+    CyclePairing pairing(order, refinement);
+    for (const FirstCycle& cycle : cycles) killings.push_back(pairing.reduce(cycle));
+  }
+  return killings;
+}
+
 }  // namespace
 
 bool takes_first_cycle(Refinement refinement) {
@@ -229,29 +303,18 @@ bool orders_by_size(Refinement refinement) {
 std::vector<SurfacePair> pair_simplices(const Surface& surface, const GridComplex& inside,
                                         const GridComplex& outside, const PairOptions& options) {
   const SurfaceOrder order = order_surface(surface);
-  const auto genus = static_cast<std::size_t>(surface.genus());
-  std::vector<Killing> of_inside;
-  std::vector<Killing> of_outside;
-  tbb::parallel_invoke(
-      [&] { of_inside = SidePairing(surface, order, inside, options.refinement).run(genus); },
-      [&] { of_outside = SidePairing(surface, order, outside, options.refinement).run(genus); });
+  FirstCycles found = find_first_cycles(surface, order, inside, outside, options.refinement);
   EdgePairing edges;
   std::vector<SurfacePair> pairs;
-  const auto append = [&](const GridComplex& complex, const std::vector<Killing>& killings) {
-    if (killings.size() != genus)
-      throw SelfCheckFailed("the surface has genus " + std::to_string(genus) + ", but PAIR found " +
-                            std::to_string(killings.size()) + " pairs on one side");
-    for (const Killing& killing : killings) {
-      SurfacePair& pair = pairs.emplace_back();
-      pair.edge = order.edges[edges.take(killing.unpaired)];
-      pair.side = complex.side();
-      pair.piece = killing.piece;
-      pair.size = complex.size(killing.piece);
-      for (const std::uint32_t row : killing.cycle) pair.cycle.push_back(order.edges[row]);
-    }
-  };
-  append(inside, of_inside);
-  append(outside, of_outside);
+  for (const Killing& killing :
+       reduce_cycles(surface, order, std::move(found), options.refinement)) {
+    SurfacePair& pair = pairs.emplace_back();
+    pair.edge = order.edges[edges.take(killing.unpaired)];
+    pair.side = killing.complex->side();
+    pair.piece = killing.piece;
+    pair.size = killing.complex->size(killing.piece);
+    for (const std::uint32_t row : killing.cycle) pair.cycle.push_back(order.edges[row]);
+  }
   return pairs;
 }
 

@@ -34,11 +34,13 @@ struct SurfacePair {
 /// Algorithm 1 of the paper on the 2-skeleton of K: M first, then one side, each side for itself
 /// after M. Returns 2 genus(M) pairs, those of the inside first, each side's in the order in which
 /// they kill. All edges differ, as in the filtration M, inside, outside; every cycle bounds on its
-/// own side. The total order off M is by (size, number), or by number without the second
+/// own side. With an open boundary the simplices of both sides enter after M in one order (ties in
+/// size and number: inside first), and the pairs, as many as the rank of H1(M), come in that order.
+/// The total order off M is by (size, number), or by number without the second
 /// refinement. Fan triangles of a piece come one after another and its diagonals are the youngest
 /// of its edges: all but the last triangle pair with them, and the last one's border comes to the
 /// border of the piece, where the reduction starts. Near-cubic at worst, for all that it skips.
-/// Throws SelfCheckFailed unless each side pairs genus(M) edges.
+/// Throws SelfCheckFailed unless every class of H1(M) dies, half of them inside where M is closed.
 std::vector<SurfacePair> pair_simplices(const Surface& surface, const GridComplex& inside,
                                         const GridComplex& outside,
                                         const PairOptions& options = {});

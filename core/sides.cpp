@@ -1,5 +1,6 @@
 #include "core/sides.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -83,13 +84,18 @@ void check_grid(const GridView<T>& grid, const IsoLevel& level) {
   if (std::isnan(level.iso)) throw InvalidArgument("the iso value is NaN: give a number");
 }
 
-Lattice lattice_around(const Bounds& bounds) {
+Lattice lattice_around(const Bounds& bounds, const Index3& grid_dims, Boundary boundary) {
   Index3 first{};
   std::array<std::uint32_t, 3> dims{};
   std::uint64_t count = 1;
   for (int a = 0; a < 3; ++a) {
     first[a] = bounds.lower[a] - 1;
-    const auto extent = static_cast<std::uint64_t>(bounds.upper[a] - bounds.lower[a]) + 3;
+    std::int64_t last = bounds.upper[a] + 1;
+    if (boundary == Boundary::open) {
+      first[a] = std::max<std::int64_t>(first[a], 0);
+      last = std::min(last, grid_dims[a] - 1);
+    }
+    const auto extent = static_cast<std::uint64_t>(last - first[a]) + 1;
     if (extent > max_lattice_vertices || count * extent > max_lattice_vertices)
       throw LimitExceeded("the solid's bounding box has more than " +
                           std::to_string(max_lattice_vertices) +
@@ -108,15 +114,21 @@ void for_each_layer(const Lattice& lattice, const Body& body) {
 template <class T>
 void mark_inside(const GridView<T>& grid, const IsoLevel& level, Sides& sides) {
   const Lattice& lattice = sides.lattice;
+  const auto in_grid = [&](std::uint32_t i, int axis) {
+    const std::int64_t at = lattice.first[axis] + i;
+    return at >= 0 && at < grid.dims[axis];
+  };
   for_each_layer(lattice, [&](std::uint32_t z) {
-    if (z == 0 || z + 1 == lattice.dims[2]) return;
-    for (std::uint32_t y = 1; y + 1 < lattice.dims[1]; ++y) {
-      const std::int64_t start =
-          lattice.first[0] + 1 +
+    if (!in_grid(z, 2)) return;
+    for (std::uint32_t y = 0; y < lattice.dims[1]; ++y) {
+      if (!in_grid(y, 1)) continue;
+      const std::int64_t row =
           grid.dims[0] * (lattice.first[1] + y + grid.dims[1] * (lattice.first[2] + z));
-      const T* from = grid.values.data() + start;
-      std::uint8_t* to = sides.inside.data() + lattice.vertex(1, y, z);
-      for (std::uint32_t x = 0; x + 2 < lattice.dims[0]; ++x) to[x] = is_inside(from[x], level);
+      const auto begin = static_cast<std::uint32_t>(in_grid(0, 0) ? 0 : 1);
+      const std::uint32_t end = lattice.dims[0] - (in_grid(lattice.dims[0] - 1, 0) ? 0 : 1);
+      const T* from = grid.values.data() + row + lattice.first[0] + begin;
+      std::uint8_t* to = sides.inside.data() + lattice.vertex(begin, y, z);
+      for (std::uint32_t x = 0; x < end - begin; ++x) to[x] = is_inside(from[x], level);
     }
   });
 }
@@ -149,6 +161,20 @@ FaceBits decide_faces(const GridView<T>& grid, const IsoLevel& level, const Latt
   return decided;
 }
 
+/// A face on the far border of the box is no cube's lower face: the cube before it decides it. It
+/// can be ambiguous only where the boundary is open.
+void mark_far_faces(const FaceBits& faces, const std::array<std::uint32_t, 3>& p, Sides& sides) {
+  const Lattice& lattice = sides.lattice;
+  for (int a = 0; a < 3; ++a) {
+    const unsigned upper = 2U << (2 * a);
+    if (p[a] + 2 != lattice.dims[a] || (faces.ambiguous & upper) == 0) continue;
+    unsigned flags = Sides::has_ambiguous_face;
+    if ((faces.joined & upper) != 0) flags |= unsigned{Sides::lower_face_joined} << a;
+    sides.cubes[lattice.vertex(p[0], p[1], p[2]) + lattice.stride[a]] |=
+        static_cast<std::uint8_t>(flags);
+  }
+}
+
 template <class T>
 void mark_cubes(const GridView<T>& grid, const IsoLevel& level, Sides& sides) {
   const Lattice& lattice = sides.lattice;
@@ -167,6 +193,7 @@ void mark_cubes(const GridView<T>& grid, const IsoLevel& level, Sides& sides) {
         if (cut.cell_count[0] > 1) flags |= Sides::many_outside_cells;
         if (cut.cell_count[1] > 1) flags |= Sides::many_inside_cells;
         sides.cubes[v] |= static_cast<std::uint8_t>(flags);
+        mark_far_faces(faces, {x, y, z}, sides);
       }
   });
 }
@@ -187,8 +214,12 @@ void mark_border(Sides& sides) {
 }
 
 template <class T>
-Sides classify_grid(const GridView<T>& grid, const IsoLevel& level) {
+Sides classify_grid(const GridView<T>& grid, const IsoLevel& level, Boundary boundary) {
   check_grid(grid, level);
+  if (boundary == Boundary::open && *std::min_element(grid.dims.begin(), grid.dims.end()) < 2)
+    throw InvalidArgument("an open boundary needs two voxels or more along each axis, not " +
+                          std::to_string(grid.dims[0]) + " x " + std::to_string(grid.dims[1]) +
+                          " x " + std::to_string(grid.dims[2]));
   const Bounds bounds = inside_bounds(grid, level);
   if (bounds.first_nan != std::numeric_limits<std::int64_t>::max()) {
     const std::int64_t n = bounds.first_nan;
@@ -198,8 +229,9 @@ Sides classify_grid(const GridView<T>& grid, const IsoLevel& level) {
                        ") is NaN: give a value to put in its place");
   }
   Sides sides;
+  sides.boundary = boundary;
   if (bounds.upper[0] < 0) return sides;
-  sides.lattice = lattice_around(bounds);
+  sides.lattice = lattice_around(bounds, grid.dims, boundary);
   sides.inside.assign(sides.lattice.vertex_count(), 0);
   sides.cubes.assign(sides.lattice.vertex_count(), 0);
   mark_inside(grid, level, sides);
@@ -210,8 +242,8 @@ Sides classify_grid(const GridView<T>& grid, const IsoLevel& level) {
 
 }  // namespace
 
-Sides classify(const AnyGridView& grid, const IsoLevel& level) {
-  return std::visit([&](const auto& view) { return classify_grid(view, level); }, grid);
+Sides classify(const AnyGridView& grid, const IsoLevel& level, Boundary boundary) {
+  return std::visit([&](const auto& view) { return classify_grid(view, level, boundary); }, grid);
 }
 
 std::uint8_t inside_corners(const Sides& sides, std::uint32_t vertex) {

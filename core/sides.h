@@ -11,10 +11,17 @@
 
 namespace isoloop {
 
+/// What lies beyond the grid. closed: the outside, so that M is closed. open: nothing; M may end at
+/// the border of the grid, and its sides are not told apart (Dey, Li, Sun, Cohen-Steiner, SIGGRAPH
+/// 2008, last section).
+enum class Boundary { closed, open };
+
 /// The box that K fills: the bounding box of the inside voxels and one layer of outside vertices
-/// around it. Beyond it O is one cell. Empty (all dims 0) where no voxel is inside.
+/// around it, which an open boundary clips to the grid. Beyond it each side is one cell. Empty (all
+/// dims 0) where no voxel is inside.
 struct Sides {
   Lattice lattice;
+  Boundary boundary = Boundary::closed;
   std::vector<std::uint8_t> inside;  // 1 for each lattice vertex in I, else 0
   std::vector<std::uint8_t> cubes;   // by lowest corner: Flag bits
 
@@ -33,10 +40,11 @@ struct Sides {
   }
 };
 
-/// Decides every voxel (f = iso is inside) and every ambiguous face. Voxels beyond the grid are
-/// outside. Infinite values count as very large ones. Throws InvalidInput where a voxel is NaN,
-/// InvalidArgument for an empty grid or a NaN iso, LimitExceeded over max_lattice_vertices.
-Sides classify(const AnyGridView& grid, const IsoLevel& level);
+/// Decides every voxel (f = iso is inside) and every ambiguous face. Infinite values count as very
+/// large ones. Throws InvalidInput where a voxel is NaN, InvalidArgument for an empty grid, a NaN
+/// iso, and one voxel along an axis with an open boundary, LimitExceeded over max_lattice_vertices.
+Sides classify(const AnyGridView& grid, const IsoLevel& level,
+               Boundary boundary = Boundary::closed);
 
 /// Corner bits of the cube with lowest corner `vertex`, as cube_cut() wants them.
 std::uint8_t inside_corners(const Sides& sides, std::uint32_t vertex);

@@ -91,16 +91,54 @@ void triangulate(const Sides& sides, const EdgeIndex& edges, Surface& surface) {
   });
 }
 
-/// Edges that leave each vertex, in the order of the triangles that they run along.
+/// An edge that no other triangle runs along the other way lies on the border of the box, and so do
+/// the grid edges of its ends.
+std::vector<std::array<std::uint32_t, 2>> find_border(const Sides& sides, const Surface& surface) {
+  if (sides.boundary == Boundary::closed) return {};
+  struct Directed {
+    std::array<std::uint32_t, 2> ends;  // ascending
+    bool descends;
+    auto operator<=>(const Directed&) const = default;
+  };
+  const auto near_border = [&](std::uint32_t vertex) {
+    return (sides.cubes[surface.grid_edges[vertex] / 3] & Sides::on_border) != 0;
+  };
+  std::vector<Directed> found;
+  for (const auto& triangle : surface.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t u = triangle[i];
+      const std::uint32_t v = triangle[(i + 1) % 3];
+      if (near_border(u) && near_border(v))
+        found.push_back({{std::min(u, v), std::max(u, v)}, u > v});
+    }
+  std::sort(found.begin(), found.end());
+  std::vector<std::array<std::uint32_t, 2>> border;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const auto& [a, b] = found[i].ends;
+    if (i + 1 < found.size() && found[i + 1].ends == found[i].ends) {
+      ++i;  // both directions are there
+    } else if (found[i].descends) {
+      border.push_back({b, a});
+    } else {
+      border.push_back({a, b});
+    }
+  }
+  return border;
+}
+
+/// Edges that leave each vertex, in the order of the triangles that they run along; then those that
+/// run along a border edge the other way.
 EdgeGraph::Csr directed_edges(const Surface& surface) {
   std::vector<std::uint32_t> next(surface.points.size() + 1);  // place for an edge of each vertex
   for (const auto& triangle : surface.triangles)
     for (const std::uint32_t source : triangle) ++next[source + 1];
+  for (const auto& [from, to] : surface.border_edges) ++next[to + 1];
   std::partial_sum(next.begin(), next.end(), next.begin());
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges(next.back());
   for (const auto& triangle : surface.triangles)
     for (std::size_t i = 0; i < 3; ++i)
       edges[next[triangle[i]]++] = {triangle[i], triangle[(i + 1) % 3]};
+  for (const auto& [from, to] : surface.border_edges) edges[next[to]++] = {to, from};
   return {boost::edges_are_sorted, edges.begin(), edges.end(),
           static_cast<std::uint32_t>(surface.points.size()),
           static_cast<std::uint32_t>(edges.size())};
@@ -118,8 +156,8 @@ void build_graph(Surface& surface) {
   });
 }
 
-/// A closed component's first crossing of any grid row leads into the region that it encloses; so
-/// the side before its first vertex on an x-edge tells whether it encloses I or O.
+/// Where M is closed, a component's first crossing of any grid row leads into the region that it
+/// encloses; so the side before its first vertex on an x-edge tells whether it encloses I or O.
 void number_components(const Sides& sides, Surface& surface) {
   const auto count = static_cast<std::uint32_t>(surface.points.size());
   DisjointSets sets(count);
@@ -143,19 +181,32 @@ void number_components(const Sides& sides, Surface& surface) {
     const std::uint32_t edge = surface.grid_edges[v];
     if (edge % 3 != 0 || oriented[component] != 0) continue;
     oriented[component] = 1;
-    surface.components[component].bounds_cavity = sides.is_on(Side::inside, edge / 3);
+    surface.components[component].bounds_cavity =
+        sides.boundary == Boundary::closed && sides.is_on(Side::inside, edge / 3);
   }
   for (const auto& triangle : surface.triangles)
     ++surface.components[surface.component_of_vertex[triangle[0]]].triangles;
-  for (SurfaceComponent& component : surface.components) {
-    component.euler = component.vertices - component.triangles / 2;
-    component.genus = (2 - component.euler) / 2;
+  std::vector<std::int64_t> border_edges(surface.components.size());
+  DisjointSets curves(surface.border_edges.empty() ? 0 : count);
+  for (const auto& [from, to] : surface.border_edges) {
+    const std::uint32_t component = surface.component_of_vertex[from];
+    ++border_edges[component];
+    // The edge that closes a curve joins nothing.
+    if (!curves.unite(from, to)) ++surface.components[component].borders;
+  }
+  for (std::size_t c = 0; c < surface.components.size(); ++c) {
+    SurfaceComponent& component = surface.components[c];
+    component.euler = component.vertices - (component.triangles + border_edges[c]) / 2;
+    component.genus = (2 - component.borders - component.euler) / 2;
   }
 }
 
 }  // namespace
 
-std::int64_t Surface::euler() const { return polygons - static_cast<std::int64_t>(points.size()); }
+std::int64_t Surface::euler() const {
+  return static_cast<std::int64_t>(points.size()) -
+         static_cast<std::int64_t>(triangles.size() + border_edges.size()) / 2;
+}
 
 std::int64_t Surface::genus() const {
   std::int64_t sum = 0;
@@ -163,15 +214,23 @@ std::int64_t Surface::genus() const {
   return sum;
 }
 
+std::int64_t Surface::betti1() const {
+  std::int64_t sum = 0;
+  for (const SurfaceComponent& component : components) sum += component.betti1();
+  return sum;
+}
+
 Surface extract_surface(const AnyGridView& grid, const IsoLevel& level, const Sides& sides,
                         const EdgeIndex& edges, bool with_graph) {
   Surface surface;
   surface.spacing = std::visit([](const auto& view) { return view.spacing; }, grid);
+  surface.boundary = sides.boundary;
   if (sides.empty()) return surface;
   surface.points.resize(edges.count());
   surface.grid_edges.resize(edges.count());
   std::visit([&](const auto& view) { place_vertices(view, level, sides, edges, surface); }, grid);
   triangulate(sides, edges, surface);
+  surface.border_edges = find_border(sides, surface);
   if (with_graph) build_graph(surface);
   number_components(sides, surface);
   return surface;

@@ -1,6 +1,7 @@
-// M: the closed, oriented, triangulated iso-surface, with its edge graph.
+// M: the oriented, triangulated iso-surface, with its edge graph.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -13,13 +14,16 @@
 
 namespace isoloop {
 
-/// One connected component of M. It is closed: euler = 2 - 2 genus.
+/// One connected component of M: euler = 2 - 2 genus - borders.
 struct SurfaceComponent {
   std::int64_t vertices = 0;
   std::int64_t triangles = 0;
   std::int64_t euler = 0;
   std::int64_t genus = 0;
-  bool bounds_cavity = false;  // I lies around it, not within it
+  std::int64_t borders = 0;    // closed curves along which it ends at the border of the grid
+  bool bounds_cavity = false;  // I lies around it, not within it; false with an open boundary
+
+  std::int64_t betti1() const { return 2 * genus + std::max<std::int64_t>(borders - 1, 0); }
 };
 
 struct Surface {
@@ -31,9 +35,13 @@ struct Surface {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   /// The cube of the lattice that holds each triangle; ascending.
   std::vector<std::uint32_t> triangle_cubes;
-  /// One patch of a cube is one polygon; its triangles are consecutive. points - polygons = -euler.
+  /// One patch of a cube is one polygon; its triangles are consecutive. Where M is closed,
+  /// points - polygons = -euler.
   std::int64_t polygons = 0;
-  /// Edge graph: one directed edge for each directed edge of a triangle, with its length.
+  /// Edges of one triangle only, directed as in it; none where M is closed.
+  std::vector<std::array<std::uint32_t, 2>> border_edges;
+  Boundary boundary = Boundary::closed;
+  /// Edge graph: each edge of M in both directions, with its length.
   EdgeGraph graph;
   std::vector<std::uint32_t> component_of_vertex;
   std::vector<SurfaceComponent> components;  // in the order of their first vertex
@@ -41,6 +49,7 @@ struct Surface {
 
   std::int64_t euler() const;
   std::int64_t genus() const;
+  std::int64_t betti1() const;  // rank of H1(M): 2 genus() where M is closed
 };
 
 /// Cuts the iso-surface out of `grid`. Combinatorics depend on `sides` alone; a vertex sits where

@@ -20,7 +20,8 @@ std::uint32_t edge_between(const EdgeGraph& graph, std::uint32_t from, std::uint
   return found;
 }
 
-/// Undirected edges in the order of their lower vertices, each with the two triangles on it.
+/// Undirected edges in the order of their lower vertices, each with the two triangles on it, of
+/// which one is `none` on M's border.
 struct Edges {
   std::vector<std::array<std::uint32_t, 2>> ends;
   std::vector<std::array<std::uint32_t, 2>> triangles;
@@ -38,15 +39,17 @@ Edges undirected_edges(const Surface& surface) {
       edges.of_directed[edge] = static_cast<std::uint32_t>(edges.ends.size());
       edges.ends.push_back({u, v});
     });
+  for (std::uint32_t u = 0; u < graph.vertex_count(); ++u)
+    graph.for_each_out_edge(u, [&](std::uint32_t v, std::uint32_t edge) {
+      if (v < u) edges.of_directed[edge] = edges.of_directed[edge_between(graph, v, u)];
+    });
   edges.triangles.assign(edges.ends.size(), {none, none});
   edges.of_triangle.resize(surface.triangles.size());
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t u = surface.triangles[t][i];
       const std::uint32_t v = surface.triangles[t][(i + 1) % 3];
-      const std::uint32_t directed = edge_between(graph, u, v);
-      if (u > v) edges.of_directed[directed] = edges.of_directed[edge_between(graph, v, u)];
-      const std::uint32_t edge = edges.of_directed[directed];
+      const std::uint32_t edge = edges.of_directed[edge_between(graph, u, v)];
       edges.of_triangle[t][i] = edge;
       edges.triangles[edge][u < v ? 0 : 1] = t;
     }
@@ -68,25 +71,33 @@ struct Step {
 };
 
 /// A spanning forest of the triangles across edges out of `in_forest`, breadth first, so that
-/// parents come before their children. Its roots, one for each component of M, are left out.
+/// parents come before their children. A component with a border is entered across an edge of it;
+/// of the others one triangle each, the root, is left out.
 std::vector<Step> triangle_forest(const Edges& edges, const std::vector<bool>& in_forest) {
   std::vector<Step> steps;
   std::vector<bool> seen(edges.of_triangle.size());
   std::vector<std::uint32_t> reached;
-  for (std::uint32_t root = 0; root < edges.of_triangle.size(); ++root) {
-    if (seen[root]) continue;
+  const auto grow_from = [&](std::uint32_t root) {
     seen[root] = true;
     reached.assign(1, root);
     for (std::size_t next = 0; next < reached.size(); ++next)
       for (const std::uint32_t edge : edges.of_triangle[reached[next]]) {
         const auto [s, t] = edges.triangles[edge];
         const std::uint32_t child = s == reached[next] ? t : s;
-        if (in_forest[edge] || seen[child]) continue;
+        if (child == none || in_forest[edge] || seen[child]) continue;
         seen[child] = true;
         reached.push_back(child);
         steps.push_back({child, edge});
       }
+  };
+  for (std::uint32_t edge = 0; edge < edges.triangles.size(); ++edge) {
+    const auto [s, t] = edges.triangles[edge];
+    if (in_forest[edge] || (s != none && t != none) || seen[std::min(s, t)]) continue;
+    steps.push_back({std::min(s, t), edge});
+    grow_from(std::min(s, t));
   }
+  for (std::uint32_t root = 0; root < edges.of_triangle.size(); ++root)
+    if (!seen[root]) grow_from(root);
   return steps;
 }
 
@@ -111,9 +122,9 @@ SurfaceOrder order_surface(const Surface& surface) {
   for (std::uint32_t e = 0; e < row.size(); ++e)
     if (!in_forest[e] && !crossed[e]) give_row(e);
   order.killed = order.row_count();
-  if (order.killed - order.tree != 2 * surface.genus())
-    throw SelfCheckFailed("the surface has genus " + std::to_string(surface.genus()) + ", but " +
-                          std::to_string(order.killed - order.tree) +
+  if (order.killed - order.tree != surface.betti1())
+    throw SelfCheckFailed("the surface has " + std::to_string(surface.betti1()) +
+                          " independent loops, but " + std::to_string(order.killed - order.tree) +
                           " of its edges stay unpaired");
   std::for_each(steps.rbegin(), steps.rend(), [&](const Step& step) { give_row(step.edge); });
   std::for_each(steps.rbegin(), steps.rend(), [&](const Step& step) {

@@ -13,7 +13,7 @@ namespace isoloop {
 /// pairs all that M can pair without adding one cycle to another. The paper leaves the order
 /// within M open. Rows, from the oldest:
 ///   [0, tree)        a spanning forest: paired with vertices
-///   [tree, killed)   2 genus(M) edges: the positive edges that stay unpaired
+///   [tree, killed)   rank H1(M) edges: the positive edges that stay unpaired
 ///   [killed, end)    edges across which a spanning forest of M's triangles runs, leaves first:
 ///                    row r is paired with one triangle, whose border is killed_cycle[r - killed]
 struct SurfaceOrder {
@@ -26,7 +26,7 @@ struct SurfaceOrder {
   std::uint32_t row_count() const { return static_cast<std::uint32_t>(edges.size()); }
 };
 
-/// Linear in M. Throws SelfCheckFailed unless 2 genus(M) edges stay unpaired.
+/// Linear in M. Throws SelfCheckFailed unless surface.betti1() edges stay unpaired.
 SurfaceOrder order_surface(const Surface& surface);
 
 /// Row of the edge between two vertices of M; they must be joined by one.

@@ -259,6 +259,66 @@ TEST_F(CommandLine, FindsTheLoopsOfARingByPair) {
   EXPECT_EQ(std::count(pairs.begin(), pairs.end(), '\n'), 3) << pairs;
 }
 
+TEST_F(CommandLine, PairGoesWithExactSizes) {
+  ASSERT_EQ(run({"generate", "torus", "--size", "40", "-o", "t.vdb"}).exit_code, 0);
+  const ProcessResult result =
+      run({"loops", "t.vdb", "--engine", "pair", "--geodesic", "exact", "--json", "-"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json json = Json::parse(result.out);
+  EXPECT_EQ(json.at("conventions").at("engine"), "pair");
+  EXPECT_EQ(json.at("conventions").at("geodesic"), "exact");
+  const Json dual = Json::parse(run({"loops", "t.vdb", "--geodesic", "exact", "--json", "-"}).out);
+  ASSERT_EQ(json.at("loops").size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(json.at("loops").at(i).at("size"), dual.at("loops").at(i).at("size"));
+  }
+}
+
+TEST_F(CommandLine, OpenBoundaryTellsNoSidesApart) {
+  // A ring whose row y = 0 the border cuts off: a bent rod with two open ends.
+  std::string bytes(60, '\0');
+  for (const std::size_t place : {1, 3, 6, 8, 11, 12, 13}) bytes[20 + place] = '\1';
+  scratch_.write("arc_5x4x3_uint8.raw", bytes);
+  for (const char* engine : {"dual", "pair"}) {
+    const ProcessResult result =
+        run({"loops", "arc_5x4x3_uint8.raw", "--iso", "0.5", "--open-boundary", "--engine", engine,
+             "--json", "a.json", "--csv", "a.csv", "--ply", "a.ply"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.out.find("2 border curves"), std::string::npos) << result.out;
+    const Json json = Json::parse(scratch_.read("a.json"));
+    EXPECT_EQ(json.at("betti"), Json({{"b0", 1}, {"b1", 1}, {"b2", 0}}));
+    ASSERT_EQ(json.at("loops").size(), 1U);
+    const Json& loop = json.at("loops").at(0);
+    EXPECT_EQ(loop.at("kind"), "loop");
+    EXPECT_EQ(loop.at("fix"), "none");
+    EXPECT_EQ(loop.at("certificate"),
+              Json({{"inside", "unknown"}, {"outside", "unknown"}, {"surface", "nontrivial"}}));
+    EXPECT_NE(scratch_.read("a.csv").find("\n1,loop,none,"), std::string::npos);
+  }
+  const ProcessResult count =
+      run({"count", "arc_5x4x3_uint8.raw", "--iso", "0.5", "--open-boundary", "--json", "-"});
+  ASSERT_EQ(count.exit_code, 0) << count.err;
+  EXPECT_EQ(Json::parse(count.out).at("betti").at("b1"), 1);
+  const Json closed =
+      Json::parse(run({"count", "arc_5x4x3_uint8.raw", "--iso", "0.5", "--json", "-"}).out);
+  EXPECT_EQ(closed.at("betti").at("b1"), 0);
+}
+
+TEST_F(CommandLine, WhatNeedsSidesIsAUsageErrorWithAnOpenBoundary) {
+  scratch_.write("ring_5x5x3_uint8.raw", ring_bytes());
+  const Words open{"loops", "ring_5x5x3_uint8.raw", "--iso", "1", "--open-boundary"};
+  const auto with = [&](const Words& more) {
+    Words arguments = open;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  };
+  expect_failure(with({"--side", "handle"}), 2, "--side handle");
+  expect_failure(with({"--tighten", "basis"}), 2, "--tighten basis");
+  scratch_.write("line_4x1x1_uint8.raw", std::string("\1\1\0\1", 4));
+  expect_failure({"count", "line_4x1x1_uint8.raw", "--iso", "1", "--open-boundary"}, 2,
+                 "two voxels");
+}
+
 TEST_F(CommandLine, StatisticsLeaveStandardOutputToTheReportThatAsksForIt) {
   scratch_.write("ring_5x5x3_uint8.raw", ring_bytes());
   const ProcessResult result =

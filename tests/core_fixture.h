@@ -19,9 +19,10 @@ inline constexpr IsoLevel zero_level{0.0, InsideRule::above};
 
 /// Owns what GridComplex refers to; not to be moved.
 struct Prepared {
-  explicit Prepared(const SmallVolume& from, GeodesicMode mode = GeodesicMode::exact)
+  explicit Prepared(const SmallVolume& from, GeodesicMode mode = GeodesicMode::exact,
+                    Boundary boundary = Boundary::closed)
       : volume(from),
-        sides(classify(volume.view(), zero_level)),
+        sides(classify(volume.view(), zero_level, boundary)),
         edges(sides),
         surface(extract_surface(volume.view(), zero_level, sides, edges)) {
     if (surface.points.empty()) return;

@@ -338,6 +338,22 @@ std::int64_t rank(const std::vector<ExplicitComplex::Cell>& cells,
   return std::count_if(columns.begin(), columns.end(), [](const Chain& c) { return !c.empty(); });
 }
 
+/// Of the cells in the places that count.
+std::array<std::int64_t, 3> betti(const ExplicitComplex& complex,
+                                  const std::function<bool(Place)>& counts) {
+  const auto number = [&](const auto& cells) {
+    return std::count_if(cells.begin(), cells.end(),
+                         [&](const auto& cell) { return counts(cell.place); });
+  };
+  const std::int64_t rank1 = rank(complex.edges, counts);
+  const std::int64_t rank2 = rank(complex.faces, counts);
+  const std::int64_t rank3 = rank(complex.solids, counts);
+  const std::int64_t vertices =
+      std::count_if(complex.vertices.begin(), complex.vertices.end(), counts);
+  return {vertices - rank1, number(complex.edges) - rank1 - rank2,
+          number(complex.faces) - rank2 - rank3};
+}
+
 }  // namespace
 
 Chain sum(const Chain& a, const Chain& b) {
@@ -352,19 +368,12 @@ ExplicitComplex build_complex(const std::vector<double>& inside_value, const Ind
   return Builder(inside_value, dims, box).build();
 }
 
+std::array<std::int64_t, 3> betti_of_m(const ExplicitComplex& complex) {
+  return betti(complex, [](Place place) { return place == Place::on_m; });
+}
+
 std::array<std::int64_t, 3> betti_inside(const ExplicitComplex& complex) {
-  const auto counts = [](Place place) { return place != Place::outside; };
-  const auto number = [&](const auto& cells) {
-    return std::count_if(cells.begin(), cells.end(),
-                         [&](const auto& cell) { return counts(cell.place); });
-  };
-  const std::int64_t rank1 = rank(complex.edges, counts);
-  const std::int64_t rank2 = rank(complex.faces, counts);
-  const std::int64_t rank3 = rank(complex.solids, counts);
-  const std::int64_t vertices =
-      std::count_if(complex.vertices.begin(), complex.vertices.end(), counts);
-  return {vertices - rank1, number(complex.edges) - rank1 - rank2,
-          number(complex.faces) - rank2 - rank3};
+  return betti(complex, [](Place place) { return place != Place::outside; });
 }
 
 std::int64_t euler_of_m(const ExplicitComplex& complex) {

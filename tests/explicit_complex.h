@@ -40,6 +40,9 @@ ExplicitComplex build_complex(const std::vector<double>& inside_value, const Ind
 /// Betti numbers of I closed up to M, by the ranks of its boundary matrices.
 std::array<std::int64_t, 3> betti_inside(const ExplicitComplex& complex);
 
+/// Betti numbers of M, in the same way. M may end at the border of the box.
+std::array<std::int64_t, 3> betti_of_m(const ExplicitComplex& complex);
+
 /// Euler characteristic of M.
 std::int64_t euler_of_m(const ExplicitComplex& complex);
 

@@ -49,24 +49,28 @@ RunResult torus_run() {
   run.level = {.iso = 0.25, .inside = InsideRule::below};
   run.analysis.surface = torus_surface();
   run.analysis.betti = {.b0 = 1, .b1 = 1, .b2 = 0};
-  const Loop handle{.kind = LoopKind::handle,
-                    .id = 1,
-                    .size = 1.5,
-                    .length = 2.598,
-                    .found_length = 2.75,
-                    .component = 0,
-                    .center_index = {8.0, 5.0, 5.0},
-                    .curves = {{0, 1, 2}},
-                    .certificate = {.trivial_inside = true, .trivial_outside = false}};
-  const Loop tunnel{.kind = LoopKind::tunnel,
-                    .id = 1,
-                    .size = std::numeric_limits<double>::infinity(),
-                    .length = 10.392,
-                    .found_length = 10.392,
-                    .component = 0,
-                    .center_index = {5.0, 5.0, 5.0},
-                    .curves = {{0, 3, 6}},
-                    .certificate = {.trivial_inside = false, .trivial_outside = true}};
+  const Loop handle{
+      .kind = LoopKind::handle,
+      .id = 1,
+      .size = 1.5,
+      .length = 2.598,
+      .found_length = 2.75,
+      .component = 0,
+      .center_index = {8.0, 5.0, 5.0},
+      .curves = {{0, 1, 2}},
+      .certificate = {
+          .nontrivial_on_surface = true, .trivial_inside = true, .trivial_outside = false}};
+  const Loop tunnel{
+      .kind = LoopKind::tunnel,
+      .id = 1,
+      .size = std::numeric_limits<double>::infinity(),
+      .length = 10.392,
+      .found_length = 10.392,
+      .component = 0,
+      .center_index = {5.0, 5.0, 5.0},
+      .curves = {{0, 3, 6}},
+      .certificate = {
+          .nontrivial_on_surface = true, .trivial_inside = false, .trivial_outside = true}};
   run.analysis.loops = {handle, tunnel};
   run.reported = run.analysis.loops;
   run.cost = {.read_seconds = 0.25, .total_seconds = 1.5, .peak_bytes = 1024};

@@ -29,7 +29,8 @@ void add_engine_flags(CLI::App& command, EngineFlags& flags) {
       .add_option(
           "--tighten", flags.tighten,
           "how short loops become: none leaves them as found; basis (default, but none with "
-          "--engine pair) exchanges them for shorter ones, all of a kind together")
+          "--engine pair or --open-boundary) exchanges them for shorter ones, all of a kind "
+          "together")
       ->check(CLI::IsMember({"none", "basis"}))
       ->type_name("HOW");
   command.add_flag("--stats", flags.stats, "print triangle counts and times, as the paper does");
@@ -39,7 +40,14 @@ Engine engine_of(const EngineFlags& flags) {
   return flags.engine == "pair" ? Engine::pair : Engine::dual;
 }
 
-Tighten tighten_of(const EngineFlags& flags) {
+Tighten tighten_of(const EngineFlags& flags, Boundary boundary) {
+  if (boundary == Boundary::open) {
+    if (flags.tighten == tighten_text(Tighten::basis)) {
+      throw InvalidArgument(
+          "--tighten basis does not go with --open-boundary: it needs handle and tunnel loops");
+    }
+    return Tighten::none;
+  }
   for (const Tighten tighten : {Tighten::none, Tighten::basis}) {
     if (flags.tighten == tighten_text(tighten)) return tighten;
   }

@@ -97,6 +97,9 @@ void add_level_flags(CLI::App& command, LevelFlags& flags) {
           "for a level set)")
       ->check(CLI::IsMember({"above", "below"}))
       ->type_name("RULE");
+  command.add_flag("--open-boundary", flags.open_boundary,
+                   "end the surface at the border of the volume instead of closing it there; its "
+                   "sides are not told apart");
 }
 
 ReadOptions read_options(const VolumeFlags& flags) {
@@ -134,6 +137,10 @@ IsoLevel iso_level(const LevelFlags& flags, const Volume& volume) {
   const bool below = flags.inside.empty() ? volume.level_set : flags.inside == "below";
   level.inside = below ? InsideRule::below : InsideRule::above;
   return level;
+}
+
+Boundary boundary_of(const LevelFlags& flags) {
+  return flags.open_boundary ? Boundary::open : Boundary::closed;
 }
 
 Index3 parse_dims(std::string_view text) {

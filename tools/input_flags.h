@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/grid.h"
+#include "core/sides.h"
 #include "tools/cli_app.h"
 #include "volume/read.h"
 
@@ -30,12 +31,13 @@ struct VolumeFlags {
 struct LevelFlags {
   std::optional<double> iso;  // unit of the voxel values
   std::string inside;         // "above", "below" or empty: as the file suggests
+  bool open_boundary = false;
 };
 
 /// Adds FILE and the flags that describe it. `flags` must outlive the parse.
 void add_volume_flags(CLI::App& command, VolumeFlags& flags);
 
-/// Adds --iso and --inside. `flags` must outlive the parse.
+/// Adds --iso, --inside and --open-boundary. `flags` must outlive the parse.
 void add_level_flags(CLI::App& command, LevelFlags& flags);
 
 /// Throws InvalidArgument naming the flag that makes no sense.
@@ -44,6 +46,8 @@ ReadOptions read_options(const VolumeFlags& flags);
 /// A level set has the level 0 and its inside below unless the flags say otherwise; other volumes
 /// have their inside above. Throws InvalidArgument if iso is missing or not finite.
 IsoLevel iso_level(const LevelFlags& flags, const Volume& volume);
+
+Boundary boundary_of(const LevelFlags& flags);
 
 /// Three voxel counts from "64 64 32", "64x64x32" or "64,64,32". Throws InvalidArgument.
 Index3 parse_dims(std::string_view text);

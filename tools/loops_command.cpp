@@ -42,6 +42,10 @@ LoopFilter filter_of(const LoopsFlags& flags) {
   LoopFilter filter = flags.filter;
   filter.handles = flags.side != "tunnel";
   filter.tunnels = flags.side != "handle";
+  if (flags.level.open_boundary && flags.side != "both") {
+    throw InvalidArgument("--side " + flags.side +
+                          " does not go with --open-boundary, which tells no sides apart");
+  }
   if (std::isnan(filter.min_size) || std::isnan(filter.max_size) ||
       filter.min_size > filter.max_size) {
     throw InvalidArgument("--min-size and --max-size leave nothing to report");
@@ -53,6 +57,7 @@ void find(const LoopsFlags& flags) {
   const auto start = std::chrono::steady_clock::now();
   const LoopFilter filter = filter_of(flags);
   const PairOptions pair = pair_options(flags.engine);
+  const Tighten tighten = tighten_of(flags.engine, boundary_of(flags.level));
   OutputFiles outputs(flags.volume.file);
   outputs.add("--json", flags.json, write_json);
   outputs.add("--csv", flags.csv, write_csv);
@@ -70,10 +75,11 @@ void find(const LoopsFlags& flags) {
   run.geodesic = flags.geodesic == "exact" ? GeodesicMode::exact : GeodesicMode::hierarchy;
   run.engine = engine_of(flags.engine);
   run.refinement = pair.refinement;
-  run.tighten = tighten_of(flags.engine);
+  run.tighten = tighten;
   run.filter = filter;
   run.analysis = find_loops(view(run.volume), run.level,
-                            {.geodesic = run.geodesic,
+                            {.boundary = boundary_of(flags.level),
+                             .geodesic = run.geodesic,
                              .engine = run.engine,
                              .tighten = run.tighten,
                              .pair = pair,
@@ -111,8 +117,10 @@ void add_report_flags(CLI::App& command, LoopsFlags& flags) {
   command.add_option("--csv", flags.csv, "write one line for each loop; - is standard output")
       ->type_name("FILE|-");
   command
-      .add_option("--ply", flags.ply,
-                  "write the surface as a mesh, handle loops green, tunnel loops red")
+      .add_option(
+          "--ply", flags.ply,
+          "write the surface as a mesh, handle loops green, tunnel loops red, loops of neither "
+          "kind blue")
       ->type_name("FILE");
 }
 

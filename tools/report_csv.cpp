@@ -1,11 +1,15 @@
 #include "tools/report_csv.h"
 
 #include "tools/number_text.h"
+#include "tools/report_table.h"
 
 namespace isoloop {
 namespace {
 
-const char* triviality(bool trivial) { return trivial ? "trivial" : "nontrivial"; }
+const char* triviality(const Loop& loop, bool trivial) {
+  if (loop.kind == LoopKind::loop) return "unknown";
+  return trivial ? "trivial" : "nontrivial";
+}
 
 }  // namespace
 
@@ -15,15 +19,15 @@ void write_csv(std::ostream& out, const RunResult& run) {
          "center_world_x,center_world_y,center_world_z,"
          "certificate_inside,certificate_outside\n";
   for (const Loop& loop : run.reported) {
-    const bool handle = loop.kind == LoopKind::handle;
-    out << loop.id << (handle ? ",handle,cut," : ",tunnel,fill,") << shortest_text(loop.length)
-        << ',' << shortest_text(loop.size) << ',' << loop.component << ',' << loop.curves.size();
+    out << loop.id << ',' << kind_text(loop.kind) << ',' << fix_text(loop.kind) << ','
+        << shortest_text(loop.length) << ',' << shortest_text(loop.size) << ',' << loop.component
+        << ',' << loop.curves.size();
     for (const double index : loop.center_index) out << ',' << shortest_text(index);
     for (const double position : to_world(run.volume, loop.center_index)) {
       out << ',' << shortest_text(position);
     }
-    out << ',' << triviality(loop.certificate.trivial_inside) << ','
-        << triviality(loop.certificate.trivial_outside) << '\n';
+    out << ',' << triviality(loop, loop.certificate.trivial_inside) << ','
+        << triviality(loop, loop.certificate.trivial_outside) << '\n';
   }
 }
 

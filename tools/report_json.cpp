@@ -53,13 +53,16 @@ Json input_of(const RunResult& run) {
 }
 
 Json conventions_of(const RunResult& run) {
+  const bool open = run.analysis.surface.boundary == Boundary::open;
   Json conventions = {
       {"inside", inside_text(run.level)},
       {"inside_rule", run.level.inside == InsideRule::above ? "above" : "below"},
       {"equal_to_iso", "inside"},
       {"ambiguous_faces", "asymptotic decider, ties by a fixed rule; cells are simply connected"},
-      {"padding", "one layer outside the volume"},
+      {"padding", open ? "none: the surface ends at the border of the volume"
+                       : "one layer outside the volume"},
       {"coefficients", "Z2"}};
+  if (open) conventions["betti"] = "of the surface, whose sides are not told apart";
   if (run.with_loops) {
     conventions["geodesic"] = run.geodesic == GeodesicMode::exact ? "exact" : "hierarchy";
     conventions["engine"] = engine_text(run.engine);
@@ -99,11 +102,17 @@ Json curves_of(const RunResult& run, const Loop& loop) {
 }
 
 Json loop_of(const RunResult& run, const Loop& loop) {
-  const bool handle = loop.kind == LoopKind::handle;
   const auto triviality = [](bool trivial) { return trivial ? "trivial" : "nontrivial"; };
+  const Json certificate =
+      loop.kind == LoopKind::loop
+          ? Json{{"inside", "unknown"},
+                 {"outside", "unknown"},
+                 {"surface", triviality(!loop.certificate.nontrivial_on_surface)}}
+          : Json{{"inside", triviality(loop.certificate.trivial_inside)},
+                 {"outside", triviality(loop.certificate.trivial_outside)}};
   return {{"id", loop.id},
-          {"kind", handle ? "handle" : "tunnel"},
-          {"fix", handle ? "cut" : "fill"},
+          {"kind", kind_text(loop.kind)},
+          {"fix", fix_text(loop.kind)},
           {"length", loop.length},
           {"found_length", loop.found_length},
           {"size", loop.size},
@@ -111,9 +120,7 @@ Json loop_of(const RunResult& run, const Loop& loop) {
           {"center_index", loop.center_index},
           {"center_world", to_world(run.volume, loop.center_index)},
           {"curves", curves_of(run, loop)},
-          {"certificate",
-           {{"inside", triviality(loop.certificate.trivial_inside)},
-            {"outside", triviality(loop.certificate.trivial_outside)}}}};
+          {"certificate", certificate}};
 }
 
 // Of all loops of a kind, whatever the filter. The bound is one along edges of the surface.
@@ -130,12 +137,14 @@ Json total_of(const RunResult& run, LoopKind kind, double least) {
           {"lower_bound", least > 0.0 ? Json(least) : Json()}};
 }
 
-Json component_of(const SurfaceComponent& component) {
-  return {{"vertices", component.vertices},
-          {"triangles", component.triangles},
-          {"euler", component.euler},
-          {"genus", component.genus},
-          {"bounds", bounds_text(component)}};
+Json component_of(Boundary boundary, const SurfaceComponent& component) {
+  Json json = {{"vertices", component.vertices},
+               {"triangles", component.triangles},
+               {"euler", component.euler},
+               {"genus", component.genus},
+               {"bounds", bounds_text(boundary, component)}};
+  if (boundary == Boundary::open) json["borders"] = component.borders;
+  return json;
 }
 
 // One line for each item.
@@ -166,13 +175,16 @@ void write_json(std::ostream& out, const RunResult& run) {
                 {"components", surface.components.size()},
                 {"euler", surface.euler()},
                 {"genus", surface.genus()}});
-  write_list(out, "components", surface.components, component_of);
+  write_list(out, "components", surface.components, [&surface](const SurfaceComponent& component) {
+    return component_of(surface.boundary, component);
+  });
   write_member(out, "betti", {{"b0", betti.b0}, {"b1", betti.b1}, {"b2", betti.b2}});
   if (run.with_loops) {
     write_member(out, "filter", filter_of(run));
-    write_member(out, "total",
-                 {{"handles", total_of(run, LoopKind::handle, run.analysis.least_handle_length)},
-                  {"tunnels", total_of(run, LoopKind::tunnel, run.analysis.least_tunnel_length)}});
+    Json total = {{"handles", total_of(run, LoopKind::handle, run.analysis.least_handle_length)},
+                  {"tunnels", total_of(run, LoopKind::tunnel, run.analysis.least_tunnel_length)}};
+    if (surface.boundary == Boundary::open) total = {{"loops", total_of(run, LoopKind::loop, 0.0)}};
+    write_member(out, "total", total);
     write_list(out, "loops", run.reported, [&run](const Loop& loop) { return loop_of(run, loop); });
   }
   write_member(out, "verified", true);

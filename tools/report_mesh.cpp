@@ -20,7 +20,12 @@ constexpr Colour surface_grey{200, 200, 200};
 constexpr Colour handle_green{0, 160, 40};
 constexpr Colour tunnel_red{220, 20, 20};
 
-Colour colour_of(LoopKind kind) { return kind == LoopKind::handle ? handle_green : tunnel_red; }
+constexpr Colour loop_blue{30, 90, 230};
+
+Colour colour_of(LoopKind kind) {
+  if (kind == LoopKind::loop) return loop_blue;
+  return kind == LoopKind::handle ? handle_green : tunnel_red;
+}
 
 struct MeshSize {
   std::uint64_t vertices = 0;
@@ -41,7 +46,8 @@ MeshSize size_of(const RunResult& run) {
 
 void write_header(std::ostream& out, const RunResult& run, const MeshSize& size) {
   out << "ply\nformat binary_little_endian 1.0\n"
-      << "comment isoloop: iso-surface (grey), handle loops (green), tunnel loops (red)\n"
+      << "comment isoloop: iso-surface (grey), handle loops (green), tunnel loops (red), "
+      << "other loops (blue)\n"
       << "comment inside is " << inside_text(run.level) << "\n"
       << "comment frame " << frame_text(run.volume.frame) << ", lengths in the unit of the spacing "
       << shortest_text(run.volume.spacing[0]) << ' ' << shortest_text(run.volume.spacing[1]) << ' '
@@ -99,7 +105,7 @@ std::vector<Tube> tubes_of(const RunResult& run, double radius) {
 
 std::vector<Colour> surface_colours(const RunResult& run) {
   std::vector<Colour> colours(run.analysis.surface.points.size(), surface_grey);
-  for (const LoopKind kind : {LoopKind::tunnel, LoopKind::handle}) {
+  for (const LoopKind kind : {LoopKind::loop, LoopKind::tunnel, LoopKind::handle}) {
     for (const Loop& loop : run.reported) {
       if (loop.kind != kind) continue;
       for (const auto& curve : loop.curves) {

@@ -12,10 +12,10 @@ struct MeshOptions {
 };
 
 /// Writes a binary little-endian PLY: the surface in grey, its normals leading outside, and round
-/// each reported loop a closed tube of triangles; handle loops green, tunnel loops red, and so are
-/// the surface's own vertices on them (green where both meet). Positions are in the world frame of
-/// the input, which a comment in the header names.
-/// Throws LimitExceeded where the mesh outgrows 31-bit indices.
+/// each reported loop a closed tube of triangles; handle loops green, tunnel loops red, loops of an
+/// open boundary blue, and so are the surface's own vertices on them (green where two meet).
+/// Positions are in the world frame of the input, which a comment in the header names. Throws
+/// LimitExceeded where the mesh outgrows 31-bit indices.
 void write_ply(std::ostream& out, const RunResult& run, const MeshOptions& options = {});
 
 }  // namespace isoloop

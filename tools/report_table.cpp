@@ -32,19 +32,23 @@ std::string point_text(const Vec3& point, int decimals) {
   return text += ")";
 }
 
+std::string certificate_text(const Loop& loop) {
+  if (loop.kind == LoopKind::loop) return "nontrivial on M";
+  return loop.certificate.trivial_inside ? "bounds inside" : "bounds outside";
+}
+
 Row<10> row_of(const Loop& loop, const Volume& volume) {
-  const bool handle = loop.kind == LoopKind::handle;
   const int decimals = length_decimals(volume.spacing);
   return {std::to_string(loop.id),
-          handle ? "handle" : "tunnel",
-          handle ? "cut" : "fill",
+          kind_text(loop.kind),
+          fix_text(loop.kind),
           fixed_text(loop.length, decimals),
           fixed_text(loop.size, decimals),
           point_text(loop.center_index, 1),
           point_text(to_world(volume, loop.center_index), decimals),
           std::to_string(loop.component),
           std::to_string(loop.curves.size()),
-          loop.certificate.trivial_inside ? "bounds inside" : "bounds outside"};
+          certificate_text(loop)};
 }
 
 template <std::size_t Columns>
@@ -101,7 +105,17 @@ void write_counts(std::ostream& out, const RunResult& run) {
   out << "surface     " << counted(count(surface.points.size()), "vertex", "vertices") << ", "
       << counted(count(surface.triangles.size()), "triangle", "triangles") << ", "
       << counted(count(surface.components.size()), "component", "components")
-      << ", Euler characteristic χ = " << surface.euler() << ", genus " << surface.genus() << '\n'
+      << ", Euler characteristic χ = " << surface.euler() << ", genus " << surface.genus();
+  if (surface.boundary == Boundary::open) {
+    std::int64_t borders = 0;
+    for (const SurfaceComponent& component : surface.components) borders += component.borders;
+    out << ", " << counted(borders, "border curve", "border curves") << '\n'
+        << "components  " << numbers[0] << "  (b0: separate pieces of the surface)\n"
+        << "loops       " << numbers[1] << "  (b1: independent loops on the surface)\n"
+        << "closed      " << numbers[2] << "  (b2: pieces of the surface without a border)\n";
+    return;
+  }
+  out << '\n'
       << "components  " << numbers[0] << "  (b0: separate pieces of the solid)\n"
       << "tunnels     " << numbers[1] << "  (b1: ways through the solid, as in a ring)\n"
       << "cavities    " << numbers[2] << "  (b2: hollows closed off inside the solid)\n";
@@ -122,7 +136,7 @@ void write_components(std::ostream& out, const Surface& surface) {
     const SurfaceComponent& component = components[i];
     rows.push_back({std::to_string(i), std::to_string(component.vertices),
                     std::to_string(component.triangles), std::to_string(component.euler),
-                    std::to_string(component.genus), bounds_text(component)});
+                    std::to_string(component.genus), bounds_text(surface.boundary, component)});
   }
   out << '\n';
   write_rows(out, rows, {false, false, false, false, false, true});
@@ -140,12 +154,9 @@ void write_total(std::ostream& out, const RunResult& run, LoopKind kind) {
     length += loop.length;
     found += loop.found_length;
   }
-  const bool handle = kind == LoopKind::handle;
   const int decimals = length_decimals(run.volume.spacing);
-  out << "total length of "
-      << counted(loops, handle ? "handle loop" : "tunnel loop",
-                 handle ? "handle loops" : "tunnel loops")
-      << ": " << fixed_text(length, decimals);
+  out << "total length of " << counted(loops, name_of(kind), name_of(kind) + "s") << ": "
+      << fixed_text(length, decimals);
   if (run.tighten != Tighten::none) out << " (as found: " << fixed_text(found, decimals) << ')';
   out << '\n';
 }
@@ -159,12 +170,19 @@ void write_loops(std::ostream& out, const RunResult& run) {
     write_rows(out, rows, {false, true, true, false, false, false, false, false, false, true});
   }
   out << '\n';
-  if (run.filter.handles) write_total(out, run, LoopKind::handle);
-  if (run.filter.tunnels) write_total(out, run, LoopKind::tunnel);
+  const bool open = run.analysis.surface.boundary == Boundary::open;
+  if (open) write_total(out, run, LoopKind::loop);
+  if (!open && run.filter.handles) write_total(out, run, LoopKind::handle);
+  if (!open && run.filter.tunnels) write_total(out, run, LoopKind::tunnel);
   if (run.reported.size() != run.analysis.loops.size()) {
     out << "reported: " << run.reported.size() << " of "
         << counted(static_cast<std::int64_t>(run.analysis.loops.size()), "loop", "loops")
         << ", as --min-size, --max-size and --side ask\n";
+  }
+  if (open) {
+    out << "verified: every loop is closed and lies on M; together they are independent in H1(M), "
+        << "as many as its rank " << run.analysis.betti.b1 << '\n';
+    return;
   }
   const std::int64_t genus = run.analysis.surface.genus();
   out << "verified: every loop is closed, lies on M and is certified; " << genus << " handle + "
@@ -177,8 +195,33 @@ std::string inside_text(const IsoLevel& level) {
   return (level.inside == InsideRule::above ? "f >= " : "f <= ") + shortest_text(level.iso);
 }
 
-std::string bounds_text(const SurfaceComponent& component) {
+std::string bounds_text(Boundary boundary, const SurfaceComponent& component) {
+  if (boundary == Boundary::open) return "unknown";
   return component.bounds_cavity ? "cavity" : "solid";
+}
+
+std::string kind_text(LoopKind kind) {
+  switch (kind) {
+    case LoopKind::handle:
+      return "handle";
+    case LoopKind::tunnel:
+      return "tunnel";
+    case LoopKind::loop:
+      return "loop";
+  }
+  return "loop";
+}
+
+std::string fix_text(LoopKind kind) {
+  switch (kind) {
+    case LoopKind::handle:
+      return "cut";
+    case LoopKind::tunnel:
+      return "fill";
+    case LoopKind::loop:
+      return "none";
+  }
+  return "none";
 }
 
 std::string frame_text(Frame frame) {

@@ -16,8 +16,15 @@ void write_table(std::ostream& out, const RunResult& run);
 /// "f >= 70" or "f <= 70": which voxels are inside.
 std::string inside_text(const IsoLevel& level);
 
-/// What a component of the surface closes off: "solid", or "cavity" within the solid.
-std::string bounds_text(const SurfaceComponent& component);
+/// What a component of the surface closes off: "solid", or "cavity" within the solid; "unknown"
+/// with an open boundary.
+std::string bounds_text(Boundary boundary, const SurfaceComponent& component);
+
+/// "handle", "tunnel" or "loop".
+std::string kind_text(LoopKind kind);
+
+/// What takes the loop's handle or tunnel away: "cut" or "fill"; "none" where neither is known to.
+std::string fix_text(LoopKind kind);
 
 /// "index", "world", "LPS" or "RAS".
 std::string frame_text(Frame frame);

@@ -18,23 +18,22 @@ VertexPair unordered(std::uint32_t a, std::uint32_t b) {
   return a < b ? VertexPair{a, b} : VertexPair{b, a};
 }
 
-std::string name_of(const Loop& loop) {
-  return (loop.kind == LoopKind::handle ? "handle loop " : "tunnel loop ") +
-         std::to_string(loop.id);
+std::string numbered(const Loop& loop) {
+  return name_of(loop.kind) + " " + std::to_string(loop.id);
 }
 
 // Every step of every curve, the step from its last vertex to its first among them.
 std::vector<VertexPair> loop_steps(const Analysis& analysis) {
   std::vector<VertexPair> steps;
   for (const Loop& loop : analysis.loops) {
-    if (loop.curves.empty()) throw SelfCheckFailed(name_of(loop) + " has no curve");
+    if (loop.curves.empty()) throw SelfCheckFailed(numbered(loop) + " has no curve");
     for (const auto& curve : loop.curves) {
-      if (curve.size() < 3) throw SelfCheckFailed(name_of(loop) + " does not go round anything");
+      if (curve.size() < 3) throw SelfCheckFailed(numbered(loop) + " does not go round anything");
       for (std::size_t i = 0; i < curve.size(); ++i) {
         const std::uint32_t from = curve[i];
         const std::uint32_t to = curve[i + 1 == curve.size() ? 0 : i + 1];
         if (from >= analysis.surface.points.size() || from == to) {
-          throw SelfCheckFailed(name_of(loop) + " leaves the surface");
+          throw SelfCheckFailed(numbered(loop) + " leaves the surface");
         }
         steps.push_back(unordered(from, to));
       }
@@ -71,7 +70,8 @@ void check_steps_lie_on_surface(const Analysis& analysis) {
 std::vector<Loop> select_loops(const std::vector<Loop>& loops, const LoopFilter& filter) {
   std::vector<Loop> selected;
   for (const Loop& loop : loops) {
-    const bool kind_wanted = loop.kind == LoopKind::handle ? filter.handles : filter.tunnels;
+    const bool kind_wanted = (loop.kind != LoopKind::handle || filter.handles) &&
+                             (loop.kind != LoopKind::tunnel || filter.tunnels);
     if (kind_wanted && loop.size >= filter.min_size && loop.size <= filter.max_size) {
       selected.push_back(loop);
     }
@@ -89,37 +89,60 @@ void check_counts(const Analysis& analysis) {
   std::int64_t euler = 0;
   std::int64_t genus = 0;
   std::int64_t cavities = 0;
+  std::int64_t betti1 = 0;
+  std::int64_t without_border = 0;
+  const bool closed = analysis.surface.boundary == Boundary::closed;
   for (const SurfaceComponent& part : analysis.surface.components) {
-    if (part.genus < 0 || part.euler != 2 - 2 * part.genus) {
-      throw SelfCheckFailed("a component of the surface is not closed");
+    if (part.genus < 0 || part.borders < 0 || part.euler != 2 - 2 * part.genus - part.borders ||
+        (closed && part.borders != 0)) {
+      throw SelfCheckFailed(closed ? "a component of the surface is not closed"
+                                   : "a component of the surface is no surface with a border");
     }
+    betti1 += part.betti1();
+    without_border += part.borders == 0 ? 1 : 0;
     euler += part.euler;
     genus += part.genus;
     cavities += part.bounds_cavity ? 1 : 0;
   }
   const auto parts = static_cast<std::int64_t>(analysis.surface.components.size());
-  if (euler != analysis.surface.euler() || genus != analysis.surface.genus()) {
+  const auto vertices = static_cast<std::int64_t>(analysis.surface.points.size());
+  if (euler != analysis.surface.euler() || genus != analysis.surface.genus() ||
+      (closed && euler != analysis.surface.polygons - vertices)) {
     throw SelfCheckFailed("the components of the surface do not add up to the whole");
   }
   const Betti& betti = analysis.betti;
-  if (betti.b0 != parts - cavities || betti.b1 != genus || betti.b2 != cavities) {
+  const bool agree = closed
+                         ? betti.b0 == parts - cavities && betti.b1 == genus && betti.b2 == cavities
+                         : betti.b0 == parts && betti.b1 == betti1 && betti.b2 == without_border;
+  if (!agree) {
     throw SelfCheckFailed("the Betti numbers contradict the components of the surface");
   }
 }
 
 void check_loops(const Analysis& analysis) {
-  std::array<std::int64_t, 2> count{};  // handles, tunnels
+  std::array<std::int64_t, 3> count{};  // by kind
   for (const Loop& loop : analysis.loops) {
-    const bool handle = loop.kind == LoopKind::handle;
-    if (++count[handle ? 0 : 1] != loop.id) {
-      throw SelfCheckFailed(name_of(loop) + " is out of order");
+    const LoopCertificate& certificate = loop.certificate;
+    if (++count[static_cast<std::size_t>(loop.kind)] != loop.id) {
+      throw SelfCheckFailed(numbered(loop) + " is out of order");
     }
-    if (loop.certificate.trivial_inside != handle || loop.certificate.trivial_outside == handle) {
-      throw SelfCheckFailed(name_of(loop) + " lacks the certificate of its kind");
+    if (!certificate.nontrivial_on_surface ||
+        certificate.trivial_inside != (loop.kind == LoopKind::handle) ||
+        certificate.trivial_outside != (loop.kind == LoopKind::tunnel)) {
+      throw SelfCheckFailed(numbered(loop) + " lacks the certificate of its kind");
     }
   }
-  const std::int64_t genus = analysis.surface.genus();
-  if (count[0] != genus || count[1] != genus) {
+  const Surface& surface = analysis.surface;
+  if (surface.boundary == Boundary::open) {
+    if (count != std::array<std::int64_t, 3>{0, 0, surface.betti1()}) {
+      throw SelfCheckFailed("found " + std::to_string(count[2]) + " loops where the surface has " +
+                            std::to_string(surface.betti1()) + " independent ones");
+    }
+    check_steps_lie_on_surface(analysis);
+    return;
+  }
+  const std::int64_t genus = surface.genus();
+  if (count != std::array<std::int64_t, 3>{genus, genus, 0}) {
     throw SelfCheckFailed("found " + std::to_string(count[0]) + " handle loops and " +
                           std::to_string(count[1]) + " tunnel loops on a surface of genus " +
                           std::to_string(genus));

@@ -50,11 +50,12 @@ struct RunResult {
   RunCost cost;
 };
 
-/// Throws SelfCheckFailed unless every component of the surface is closed, the parts add up to the
-/// whole, and the Betti numbers are those that the components imply.
+/// Throws SelfCheckFailed unless every component of the surface is closed (or, with an open
+/// boundary, a surface with a border), the parts add up to the whole, and the Betti numbers are
+/// those that the components imply.
 void check_counts(const Analysis& analysis);
 
-/// Throws SelfCheckFailed unless the loops are as many as the genus asks for, number 1, 2, ...
+/// Throws SelfCheckFailed unless the loops are as many as the surface asks for, number 1, 2, ...
 /// within their kind, close up along edges of M and carry the certificate of their kind.
 void check_loops(const Analysis& analysis);
 
