@@ -26,6 +26,8 @@ class BitColumn {
     }
   }
 
+  bool holds(std::uint32_t row) const { return (levels_[0][row / 64] >> (row % 64) & 1U) != 0; }
+
   bool empty() const { return levels_.back()[0] == 0; }
 
   /// Must not be empty.

@@ -188,8 +188,9 @@ struct Killing {
 /// The rest of the reduction, among edges of M alone.
 class CyclePairing {
  public:
-  CyclePairing(const SurfaceOrder& order, Refinement refinement)
-      : order_(order),
+  CyclePairing(const Surface& surface, const SurfaceOrder& order, Refinement refinement)
+      : surface_(surface),
+        order_(order),
         refinement_(refinement),
         column_(order.row_count()),
         columns_(order.row_count()) {}
@@ -197,20 +198,49 @@ class CyclePairing {
   /// Reduces a cycle down to an edge that is unpaired still.
   Killing reduce(const FirstCycle& first) {
     Killing killing{first.complex, first.piece, {}, {}};
-    for (const std::uint32_t row : first.rows) column_.flip(row);
+    load(first.rows);
+    double length = 0.0;
+    for (const std::uint32_t row : first.rows) length += length_of_row(row);
+    double shortest = length;
+    added_.clear();
+    std::size_t added_to_shortest = 0;
     for (std::uint32_t row = youngest_of(column_); row >= order_.killed || columns_.has(row);
-         row = youngest_of(column_))
-      for_each_row_of(row, [&](std::uint32_t r) { column_.flip(r); });
+         row = youngest_of(column_)) {
+      added_.push_back(row);
+      for_each_row_of(row, [&](std::uint32_t r) {
+        column_.flip(r);
+        length += column_.holds(r) ? length_of_row(r) : -length_of_row(r);
+      });
+      if (!is_shorter(length, shortest)) continue;
+      shortest = length;
+      added_to_shortest = added_.size();
+    }
     std::vector<std::uint32_t> last;
     column_.drain(last);
     for (auto row = last.rbegin(); row != last.rend(); ++row)
       if (*row >= order_.tree) killing.unpaired.push_back(*row);
-    killing.cycle = takes_first_cycle(refinement_) ? first.rows : last;
+    if (takes_shortest_cycle(refinement_)) {
+      load(first.rows);  // and go there again
+      for (std::size_t i = 0; i < added_to_shortest; ++i)
+        for_each_row_of(added_[i], [&](std::uint32_t r) { column_.flip(r); });
+      column_.drain(killing.cycle);
+    } else {
+      killing.cycle = last;
+    }
     columns_.add(last.front(), last);
     return killing;
   }
 
  private:
+  void load(std::span<const std::uint32_t> rows) {
+    for (const std::uint32_t row : rows) column_.flip(row);
+  }
+
+  double length_of_row(std::uint32_t row) const {
+    const auto& [a, b] = order_.edges[row];
+    return distance(scaled_point(surface_, a), scaled_point(surface_, b));
+  }
+
   /// Of the reduced column whose youngest row is `row`.
   template <class Visit>
   void for_each_row_of(std::uint32_t row, const Visit& visit) const {
@@ -221,9 +251,11 @@ class CyclePairing {
     }
   }
 
+  const Surface& surface_;
   const SurfaceOrder& order_;
   Refinement refinement_;
   BitColumn column_;
+  std::vector<std::uint32_t> added_;  // columns, by their youngest row, while a cycle is reduced
   ReducedColumns columns_;
 };
 
@@ -284,7 +316,7 @@ std::vector<Killing> reduce_cycles(const Surface& surface, const SurfaceOrder& o
   }
   std::vector<Killing> killings;
   for (const std::vector<FirstCycle>& cycles : found) {
-    CyclePairing pairing(order, refinement);
+    CyclePairing pairing(surface, order, refinement);
     for (const FirstCycle& cycle : cycles) killings.push_back(pairing.reduce(cycle));
   }
   return killings;
@@ -292,7 +324,9 @@ std::vector<Killing> reduce_cycles(const Surface& surface, const SurfaceOrder& o
 
 }  // namespace
 
-bool takes_first_cycle(Refinement refinement) {
+bool is_shorter(double length, double other) { return length < other * (1.0 - 1e-9); }
+
+bool takes_shortest_cycle(Refinement refinement) {
   return refinement == Refinement::first || refinement == Refinement::both;
 }
 

@@ -11,12 +11,18 @@
 namespace isoloop {
 
 /// The refinements of Dey, Li, Sun, Cohen-Steiner (SIGGRAPH 2008) that make loops short.
-/// First: of the cycles met while a triangle's border is reduced, take the first that lies wholly
-/// on M, not the last. Second: simplices off M enter by geodesic size, not by number alone.
+/// First: of the cycles wholly on M that are met while a triangle's border is reduced, take the
+/// shortest (and of equal ones the first), not the last. The paper takes the first. In its meshes
+/// every edge off M joins two vertices of M; in a grid most are near no bottleneck and of nearly
+/// equal sizes, so that the first cycle runs where noise among them has it.
+/// Second: simplices off M enter by geodesic size, not by number alone.
 enum class Refinement { none, first, second, both };
 
-bool takes_first_cycle(Refinement refinement);
+bool takes_shortest_cycle(Refinement refinement);
 bool orders_by_size(Refinement refinement);
+
+/// Whether a length is less than another by more than rounding makes of equal ones.
+bool is_shorter(double length, double other);
 
 struct PairOptions {
   Refinement refinement = Refinement::both;

@@ -20,6 +20,7 @@ TEST(BitColumn, HoldsTheRowsFlippedAnOddNumberOfTimes) {
                                     : static_cast<std::uint32_t>(random() % bound);
       column.flip(row);
       if (!expected.erase(row)) expected.insert(row);
+      ASSERT_EQ(column.holds(row), expected.count(row) == 1);
       ASSERT_EQ(column.empty(), expected.empty());
       if (!expected.empty()) {
         ASSERT_EQ(column.youngest(), *expected.rbegin());

@@ -72,6 +72,29 @@ TEST(PairLoops, HaveTheSizesOfTheOtherEngine) {
   EXPECT_TRUE(dual.pairs.empty());
 }
 
+/// The total length of the loops of a kind.
+double total_length(const testing::SmallVolume& volume, LoopKind kind, Refinement refinement) {
+  double sum = 0.0;
+  for (const Loop& loop :
+       find_loops(volume.view(), testing::zero_level, pair_options(refinement)).loops)
+    sum += loop.kind == kind ? loop.length : 0.0;
+  return sum;
+}
+
+TEST(PairLoops, AreNoLongerWithBothRefinementsThanWithNone) {
+  const std::vector<testing::SmallVolume> shapes{testing::torus({24, 24, 24}),
+                                                 testing::torus({30, 31, 29}, 0.3, 0.08),
+                                                 testing::torus_shell({28, 28, 28}),
+                                                 testing::linked_tori({28, 28, 28}),
+                                                 testing::smooth_noise({18, 18, 18}, 1, 1),
+                                                 testing::smooth_noise({20, 20, 20}, 2, 2)};
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    for (const LoopKind kind : {LoopKind::handle, LoopKind::tunnel})
+      EXPECT_LE(total_length(shapes[i], kind, Refinement::both),
+                total_length(shapes[i], kind, Refinement::none) + 1e-6)
+          << "shape " << i;
+}
+
 TEST(PairLoops, OfASphereAreNone) {
   const testing::SmallVolume volume = testing::from_bits({1, 1, 1}, 1);
   const Analysis analysis =

@@ -29,7 +29,7 @@ class Literal {
         complex_(prepared.complex(side)),
         side_(side),
         by_size_(refinement == Refinement::second || refinement == Refinement::both),
-        first_cycle_(refinement == Refinement::first || refinement == Refinement::both),
+        shortest_cycle_(refinement == Refinement::first || refinement == Refinement::both),
         order_(order_surface(prepared.surface)) {}
 
   std::vector<LiteralPair> run() {
@@ -46,7 +46,9 @@ class Literal {
     }
     int next = 0;
     for (const Key& key : keys_) row_of_key_[key] = next++;
-    for (const auto& [a, b, c] : prepared_.surface.triangles)
+    for (const auto& [a, b, c] : order_.killed_cycles)
+      pair_triangle({key_on_surface(a), key_on_surface(b), key_on_surface(c)}, 0);
+    for (const auto& [a, b, c] : prepared_.surface.triangles)  // those left, one a component
       pair_triangle({key_between(a, b), key_between(b, c), key_between(c, a)}, 0);
     for (const auto& [piece, fan] : fans)
       for (const auto& triangle : fan) pair_triangle(triangle, piece);
@@ -107,13 +109,24 @@ class Literal {
     return cycle.back() < static_cast<int>(order_.row_count());
   }
 
+  double length(const Chain& cycle) const {
+    double sum = 0.0;
+    for (const int row : cycle) {
+      const auto& [a, b] = order_.edges[static_cast<std::size_t>(row)];
+      sum += distance(scaled_point(prepared_.surface, a), scaled_point(prepared_.surface, b));
+    }
+    return sum;
+  }
+
   void pair_triangle(const std::array<Key, 3>& border, std::uint32_t piece) {
     Chain cycle;
     for (const Key& key : border) cycle = oracle::sum(cycle, {row_of_key_.at(key)});
     const bool on_surface = is_on_surface(cycle);
-    Chain first;
+    Chain shortest;
     while (!cycle.empty()) {
-      if (first.empty() && is_on_surface(cycle)) first = cycle;
+      if (is_on_surface(cycle) &&
+          (shortest.empty() || length(cycle) < length(shortest) * (1.0 - 1e-9)))
+        shortest = cycle;
       const auto killed = killed_by_row_.find(cycle.back());
       if (killed == killed_by_row_.end()) break;
       cycle = oracle::sum(cycle, killed->second);
@@ -123,7 +136,7 @@ class Literal {
     if (on_surface || !is_on_surface(cycle)) return;
     LiteralPair& pair = pairs_.emplace_back();
     pair.piece = piece;
-    for (const int row : first_cycle_ ? first : cycle)
+    for (const int row : shortest_cycle_ ? shortest : cycle)
       pair.cycle.insert(order_.edges[static_cast<std::size_t>(row)]);
   }
 
@@ -131,7 +144,7 @@ class Literal {
   const GridComplex& complex_;
   Side side_;
   bool by_size_;
-  bool first_cycle_;
+  bool shortest_cycle_;
   SurfaceOrder order_;
   std::set<Key> keys_;
   std::map<Key, int> row_of_key_;

@@ -17,8 +17,8 @@ struct LiteralPair {
   std::set<std::array<std::uint32_t, 2>> cycle;  // edges of M
 };
 
-/// In the order in which they kill. M's edges are in the order of core/surface_order, which the
-/// paper leaves open; M's triangles in theirs.
+/// In the order in which they kill. M's edges and triangles are in the order of core/surface_order,
+/// which the paper leaves open.
 std::vector<LiteralPair> literal_pairs(const Prepared& prepared, Side side, Refinement refinement);
 
 }  // namespace isoloop::testing

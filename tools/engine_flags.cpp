@@ -15,9 +15,10 @@ void add_engine_flags(CLI::App& command, EngineFlags& flags) {
       ->type_name("ENGINE")
       ->capture_default_str();
   command
-      .add_option("--refine", flags.refine,
-                  "refinements of --engine pair (default both): 1 takes the first cycle on the "
-                  "surface, 2 orders by geodesic size")
+      .add_option(
+          "--refine", flags.refine,
+          "refinements of --engine pair (default both): 1 takes the shortest cycle met on the "
+          "surface, 2 orders by geodesic size")
       ->check(CLI::IsMember({"none", "1", "2", "both"}))
       ->type_name("WHICH");
   command
