@@ -12,9 +12,9 @@ namespace isoloop {
 
 /// The refinements of Dey, Li, Sun, Cohen-Steiner (SIGGRAPH 2008) that make loops short.
 /// First: of the cycles wholly on M that are met while a triangle's border is reduced, take the
-/// shortest (and of equal ones the first), not the last. The paper takes the first. In its meshes
-/// every edge off M joins two vertices of M; in a grid most are near no bottleneck and of nearly
-/// equal sizes, so that the first cycle runs where noise among them has it.
+/// shortest (and of equal ones the first), not the last. The paper takes the first. In a grid most
+/// edges off M lie where nothing is narrow and have nearly equal sizes, so that the first cycle
+/// runs where noise among them has it.
 /// Second: simplices off M enter by geodesic size, not by number alone.
 enum class Refinement { none, first, second, both };
 
