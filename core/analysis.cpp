@@ -19,6 +19,7 @@
 #include "core/pair_loops.h"
 #include "core/shortest_basis.h"
 #include "core/sides.h"
+#include "core/straighten.h"
 
 namespace isoloop {
 namespace {
@@ -182,6 +183,7 @@ Analysis find_loops(const AnyGridView& grid, const IsoLevel& level,
         analysis.least_handle_length = shorten_basis(surface, classes, handles, tunnels);
         analysis.least_tunnel_length = shorten_basis(surface, classes, tunnels, handles);
         certify(surface, classes, loops);
+        if (options.tighten == Tighten::curve) straighten_loops(surface, classes, loops);
       }
       return loops;
     });

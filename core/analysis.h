@@ -23,8 +23,8 @@ using Progress = std::function<void(const char* stage, double share_done)>;
 enum class Engine { dual, pair };
 
 /// none: the loops as they were found. basis: exchanged for shorter ones, as a whole (see
-/// shorten_basis).
-enum class Tighten { none, basis };
+/// shorten_basis). curve: then drawn across M's triangles too (see straighten_loops).
+enum class Tighten { none, basis, curve };
 
 struct AnalysisOptions {
   Boundary boundary = Boundary::closed;

@@ -22,17 +22,16 @@ namespace {
 constexpr double any_length = std::numeric_limits<double>::infinity();
 constexpr std::size_t starts_per_curve = 8;  // searches that try to shorten a curve
 
-Vec3 center_of(const Surface& surface, std::span<const Curve> curves) {
+Vec3 center_of(const Surface& surface, const Loop& loop) {
   Vec3 sum{};
   double weight = 0.0;
-  for (const Curve& curve : curves)
-    for (std::size_t k = 0; k < curve.size(); ++k) {
-      const std::uint32_t u = curve[k];
-      const std::uint32_t v = curve[(k + 1) % curve.size()];
-      const double length = distance(scaled_point(surface, u), scaled_point(surface, v));
+  for (const std::vector<Vec3>& points : drawn_curves(surface, loop))
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const Vec3& p = points[k];
+      const Vec3& q = points[(k + 1) % points.size()];
+      const double length = scaled_distance(surface, p, q);
       weight += length;
-      for (int a = 0; a < 3; ++a)
-        sum[a] += length * (surface.points[u][a] + surface.points[v][a]) / 2;
+      for (std::size_t a = 0; a < 3; ++a) sum[a] += length * (p[a] + q[a]) / 2;
     }
   for (double& x : sum) x /= weight;
   return sum;
@@ -154,8 +153,32 @@ Loop measured_loop(const Surface& surface, LoopKind kind, int id, double size,
   loop.length = length_of(surface, loop.curves);
   loop.found_length = loop.length;
   loop.component = surface.component_of_vertex[loop.curves.front().front()];
-  loop.center_index = center_of(surface, loop.curves);
+  loop.center_index = center_of(surface, loop);
   return loop;
+}
+
+void set_geodesics(const Surface& surface, Loop& loop, std::vector<Geodesic> geodesics) {
+  loop.geodesics = std::move(geodesics);
+  loop.length = 0.0;
+  for (const Geodesic& geodesic : loop.geodesics) loop.length += length_of(surface, geodesic);
+  loop.center_index = center_of(surface, loop);
+}
+
+std::vector<std::vector<Vec3>> drawn_curves(const Surface& surface, const Loop& loop) {
+  std::vector<std::vector<Vec3>> drawn;
+  for (const Geodesic& geodesic : loop.geodesics) {
+    drawn.emplace_back();
+    for (const SurfacePoint& point : geodesic) drawn.back().push_back(index_point(surface, point));
+  }
+  if (!drawn.empty()) return drawn;
+  for (const Curve& curve : loop.curves) {
+    drawn.emplace_back();
+    for (const std::uint32_t vertex : curve) {
+      const auto& point = surface.points[vertex];
+      drawn.back().push_back({point[0], point[1], point[2]});
+    }
+  }
+  return drawn;
 }
 
 std::vector<Loop> loops_of_side(const Surface& surface, const SurfaceClasses& classes,

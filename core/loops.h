@@ -7,6 +7,7 @@
 
 #include "core/certificate.h"
 #include "core/dual_pass.h"
+#include "core/geodesic.h"
 #include "core/grid.h"
 #include "core/grid_complex.h"
 #include "core/killing_border.h"
@@ -47,17 +48,25 @@ struct Loop {
   LoopKind kind = LoopKind::handle;
   int id = 0;                 // 1, 2, ... within its kind, by size
   double size = 0.0;          // g(t), unit of the spacing; infinite if t joins two components of M
-  double length = 0.0;        // of all curves, along edges of M; unit of the spacing
+  double length = 0.0;        // of all curves, or geodesics; unit of the spacing
   double found_length = 0.0;  // of the loop that was found near the killing piece
-  std::uint32_t component = 0;  // of M, of the first curve
-  Vec3 center_index{};          // mean of the points, weighted by arc length; voxel indices
-  std::vector<Curve> curves;
+  std::uint32_t component = 0;        // of M, of the first curve
+  Vec3 center_index{};                // mean of the points, weighted by arc length; voxel indices
+  std::vector<Curve> curves;          // along edges of M: what is certified
+  std::vector<Geodesic> geodesics{};  // empty, or what the curves shorten to, one by one
   LoopCertificate certificate;
 };
 
 /// A loop with its measures; not certified. `size`: unit of the spacing. `curves`: not empty.
 Loop measured_loop(const Surface& surface, LoopKind kind, int id, double size,
                    std::vector<Curve> curves);
+
+/// Gives the loop the geodesics that its curves shorten to, and measures it anew.
+void set_geodesics(const Surface& surface, Loop& loop, std::vector<Geodesic> geodesics);
+
+/// The points of each closed curve as it is drawn, in voxel indices: of the geodesics if there are
+/// any, else of the curves.
+std::vector<std::vector<Vec3>> drawn_curves(const Surface& surface, const Loop& loop);
 
 /// One side of M as far as the passes have brought it.
 struct SolvedSide {

@@ -1,6 +1,7 @@
 #include "core/surface.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -239,6 +240,12 @@ Surface extract_surface(const AnyGridView& grid, const IsoLevel& level, const Si
 Vec3 scaled_point(const Surface& surface, std::uint32_t vertex) {
   const auto& p = surface.points[vertex];
   return {p[0] * surface.spacing[0], p[1] * surface.spacing[1], p[2] * surface.spacing[2]};
+}
+
+double scaled_distance(const Surface& surface, const Vec3& p, const Vec3& q) {
+  const Vec3& spacing = surface.spacing;
+  return std::hypot(spacing[0] * (q[0] - p[0]), spacing[1] * (q[1] - p[1]),
+                    spacing[2] * (q[2] - p[2]));
 }
 
 }  // namespace isoloop

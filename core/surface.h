@@ -63,4 +63,7 @@ Surface extract_surface(const AnyGridView& grid, const IsoLevel& level, const Si
 /// Position in units of length (voxel index times spacing).
 Vec3 scaled_point(const Surface& surface, std::uint32_t vertex);
 
+/// Between two places in voxel indices, in units of length.
+double scaled_distance(const Surface& surface, const Vec3& p, const Vec3& q);
+
 }  // namespace isoloop

@@ -259,6 +259,20 @@ TEST_F(CommandLine, FindsTheLoopsOfARingByPair) {
   EXPECT_EQ(std::count(pairs.begin(), pairs.end(), '\n'), 3) << pairs;
 }
 
+TEST_F(CommandLine, CurvesAreNoLongerThanWalksAlongEdges) {
+  ASSERT_EQ(run({"generate", "trefoil", "--size", "40", "-o", "t.vdb"}).exit_code, 0);
+  const Json edges = Json::parse(run({"loops", "t.vdb", "--json", "-"}).out);
+  const ProcessResult result = run({"loops", "t.vdb", "--tighten", "curve", "--json", "-"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json curves = Json::parse(result.out);
+  EXPECT_EQ(curves.at("conventions").at("tighten"), "curve");
+  ASSERT_EQ(curves.at("loops").size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_LT(curves.at("loops").at(i).at("length").get<double>(),
+              edges.at("loops").at(i).at("length").get<double>());
+  }
+}
+
 TEST_F(CommandLine, PairGoesWithExactSizes) {
   ASSERT_EQ(run({"generate", "torus", "--size", "40", "-o", "t.vdb"}).exit_code, 0);
   const ProcessResult result =

@@ -12,6 +12,7 @@ isoloop_add_tests(isoloop_core_tests
     core_dual_pass_test.cpp
     core_edge_index_test.cpp
     core_geodesic_size_test.cpp
+    core_geodesic_test.cpp
     core_grid_complex_test.cpp
     core_killing_border_test.cpp
     core_label_test.cpp
@@ -26,10 +27,13 @@ isoloop_add_tests(isoloop_core_tests
     core_pair_test.cpp
     core_shortest_basis_test.cpp
     core_sides_test.cpp
+    core_sleeve_test.cpp
     core_spanning_forest_test.cpp
+    core_straighten_test.cpp
     core_surface_hierarchy_test.cpp
     core_surface_order_test.cpp
     core_surface_test.cpp
+    core_triangle_fans_test.cpp
     core_vertex_pairs_test.cpp
     core_z2_basis_test.cpp
     exact_basis.cpp

@@ -38,7 +38,7 @@ TEST(EngineFlags, TightenByDefaultUnlessThePapersOwnLoopsAreAskedFor) {
   EXPECT_EQ(tighten_of(flags), Tighten::basis);
   flags.engine = "pair";
   EXPECT_EQ(tighten_of(flags), Tighten::none);
-  for (const Tighten tighten : {Tighten::none, Tighten::basis}) {
+  for (const Tighten tighten : {Tighten::none, Tighten::basis, Tighten::curve}) {
     flags.tighten = tighten_text(tighten);
     EXPECT_EQ(tighten_of(flags), tighten);
   }

@@ -116,6 +116,17 @@ TEST(ReportJson, PutsCurvesInTheWorldFrame) {
   EXPECT_DOUBLE_EQ(curve.at(0).at(2).get<double>(), 2.5);
 }
 
+TEST(ReportJson, DrawsGeodesicsWhereThereAreAny) {
+  RunResult run = torus_run();
+  run.reported[0].geodesics = {{{{0, 1}, 0.5}, {{1, 2}, 0.5}, {{2, 2}, 0.0}, {{2, 0}, 0.25}}};
+  const Json loops = parsed(run).at("loops");
+  const Json curve = loops.at(0).at("curves").at(0);
+  ASSERT_EQ(curve.size(), 4U);
+  const auto& points = run.analysis.surface.points;
+  EXPECT_NEAR(curve.at(0).at(2).get<double>(), 0.5 * (points[0][2] + points[1][2]) / 2.0, 1e-6);
+  EXPECT_EQ(loops.at(1).at("curves").at(0).size(), 3U);
+}
+
 TEST(ReportJson, PrintsFrameAndAffine) {
   const Json coordinates = parsed(torus_run()).at("conventions").at("coordinates");
   EXPECT_EQ(coordinates.at("frame"), "world");

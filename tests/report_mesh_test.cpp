@@ -70,6 +70,14 @@ TEST(ReportMesh, HoldsTheSurfaceAndATubeForEachLoop) {
   }
 }
 
+TEST(ReportMesh, DrawsGeodesicsWhereThereAreAny) {
+  RunResult run = torus_run();
+  run.reported[0].geodesics = {{{{0, 1}, 0.5}, {{1, 2}, 0.5}, {{2, 2}, 0.0}, {{2, 0}, 0.25}}};
+  const Mesh mesh = mesh_of(run);
+  EXPECT_EQ(mesh.vertices.size(), 9 + (4 + 3) * tube_sides);
+  EXPECT_EQ(mesh.faces.size(), 18 + 2 * (4 + 3) * tube_sides);
+}
+
 TEST(ReportMesh, PaintsHandlesGreenAndTunnelsRed) {
   const Mesh mesh = mesh_of(torus_run());
   EXPECT_TRUE(is_green(mesh.vertices[0]));

@@ -74,6 +74,15 @@ TEST(CheckLoops, RefusesAVertexThatDoesNotExist) {
   EXPECT_THROW(check_loops(analysis), SelfCheckFailed);
 }
 
+TEST(CheckLoops, RefusesAGeodesicThatCrossesNoEdge) {
+  Analysis analysis = torus_run().analysis;
+  Loop& handle = analysis.loops[0];
+  handle.geodesics = {{{{0, 1}, 0.5}, {{1, 2}, 0.5}, {{2, 0}, 0.5}}};
+  EXPECT_NO_THROW(check_loops(analysis));
+  handle.geodesics[0][1].edge = {4, 2};  // pushed to the same vertex as before
+  EXPECT_THROW(check_loops(analysis), SelfCheckFailed);
+}
+
 TEST(CheckLoops, RefusesTheCertificateOfTheOtherKind) {
   Analysis analysis = torus_run().analysis;
   analysis.loops[0].certificate = analysis.loops[1].certificate;

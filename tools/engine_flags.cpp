@@ -31,8 +31,8 @@ void add_engine_flags(CLI::App& command, EngineFlags& flags) {
           "--tighten", flags.tighten,
           "how short loops become: none leaves them as found; basis (default, but none with "
           "--engine pair or --open-boundary) exchanges them for shorter ones, all of a kind "
-          "together")
-      ->check(CLI::IsMember({"none", "basis"}))
+          "together; curve also draws each straight across the surface's triangles")
+      ->check(CLI::IsMember({"none", "basis", "curve"}))
       ->type_name("HOW");
   command.add_flag("--stats", flags.stats, "print triangle counts and times, as the paper does");
 }
@@ -43,13 +43,13 @@ Engine engine_of(const EngineFlags& flags) {
 
 Tighten tighten_of(const EngineFlags& flags, Boundary boundary) {
   if (boundary == Boundary::open) {
-    if (flags.tighten == tighten_text(Tighten::basis)) {
-      throw InvalidArgument(
-          "--tighten basis does not go with --open-boundary: it needs handle and tunnel loops");
+    if (!flags.tighten.empty() && flags.tighten != tighten_text(Tighten::none)) {
+      throw InvalidArgument("--tighten " + flags.tighten +
+                            " does not go with --open-boundary: it needs handle and tunnel loops");
     }
     return Tighten::none;
   }
-  for (const Tighten tighten : {Tighten::none, Tighten::basis}) {
+  for (const Tighten tighten : {Tighten::none, Tighten::basis, Tighten::curve}) {
     if (flags.tighten == tighten_text(tighten)) return tighten;
   }
   return engine_of(flags) == Engine::pair ? Tighten::none : Tighten::basis;
@@ -76,6 +76,8 @@ std::string tighten_text(Tighten tighten) {
       return "none";
     case Tighten::basis:
       return "basis";
+    case Tighten::curve:
+      return "curve";
   }
   return "basis";
 }

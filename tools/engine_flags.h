@@ -13,7 +13,7 @@ struct EngineFlags {
   std::string engine = "dual";
   std::string refine;      // "none", "1", "2" or "both"; empty: both
   std::string dump_pairs;  // file, "-" or empty
-  std::string tighten{};   // "none" or "basis"; empty: basis, but none with `pair` or open
+  std::string tighten{};   // "none", "basis" or "curve"; empty: basis, but none with `pair` or open
   bool stats = false;
 };
 
@@ -22,7 +22,7 @@ void add_engine_flags(CLI::App& command, EngineFlags& flags);
 
 Engine engine_of(const EngineFlags& flags);
 
-/// Throws InvalidArgument where "basis" is given and the boundary is open.
+/// Throws InvalidArgument where "basis" or "curve" is given and the boundary is open.
 Tighten tighten_of(const EngineFlags& flags, Boundary boundary = Boundary::closed);
 
 /// Throws InvalidArgument where --refine or --dump-pairs is given and the engine is not `pair`.

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -90,12 +91,9 @@ Json filter_of(const RunResult& run) {
 
 Json curves_of(const RunResult& run, const Loop& loop) {
   Json curves = Json::array();
-  for (const auto& curve : loop.curves) {
+  for (const std::vector<Vec3>& curve : drawn_curves(run.analysis.surface, loop)) {
     Json points = Json::array();
-    for (const std::uint32_t vertex : curve) {
-      const auto& point = run.analysis.surface.points[vertex];
-      points.push_back(to_world(run.volume, {point[0], point[1], point[2]}));
-    }
+    for (const Vec3& point : curve) points.push_back(to_world(run.volume, point));
     curves.push_back(std::move(points));
   }
   return curves;

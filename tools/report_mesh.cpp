@@ -35,13 +35,21 @@ struct MeshSize {
 MeshSize size_of(const RunResult& run) {
   MeshSize size{run.analysis.surface.points.size(), run.analysis.surface.triangles.size()};
   for (const Loop& loop : run.reported) {
-    for (const auto& curve : loop.curves) {
+    for (const auto& curve : drawn_curves(run.analysis.surface, loop)) {
       if (curve.size() < 2) continue;
       size.vertices += curve.size() * tube_sides;
       size.triangles += 2 * curve.size() * tube_sides;
     }
   }
   return size;
+}
+
+// Along edges of the surface: what lies next to the loop where it is drawn across triangles.
+std::vector<Curve> curves_on_edges(const Loop& loop) {
+  if (loop.geodesics.empty()) return loop.curves;
+  std::vector<Curve> curves;
+  for (const Geodesic& geodesic : loop.geodesics) curves.push_back(pushed_to_edges(geodesic));
+  return curves;
 }
 
 void write_header(std::ostream& out, const RunResult& run, const MeshSize& size) {
@@ -93,11 +101,9 @@ Vec3 world_point(const RunResult& run, std::uint32_t vertex) {
 std::vector<Tube> tubes_of(const RunResult& run, double radius) {
   std::vector<Tube> tubes;
   for (const Loop& loop : run.reported) {
-    for (const auto& curve : loop.curves) {
-      std::vector<Vec3> polyline;
-      polyline.reserve(curve.size());
-      for (const std::uint32_t vertex : curve) polyline.push_back(world_point(run, vertex));
-      tubes.push_back(closed_tube(polyline, radius));
+    for (std::vector<Vec3>& curve : drawn_curves(run.analysis.surface, loop)) {
+      for (Vec3& point : curve) point = to_world(run.volume, point);
+      tubes.push_back(closed_tube(curve, radius));
     }
   }
   return tubes;
@@ -108,7 +114,7 @@ std::vector<Colour> surface_colours(const RunResult& run) {
   for (const LoopKind kind : {LoopKind::loop, LoopKind::tunnel, LoopKind::handle}) {
     for (const Loop& loop : run.reported) {
       if (loop.kind != kind) continue;
-      for (const auto& curve : loop.curves) {
+      for (const Curve& curve : curves_on_edges(loop)) {
         for (const std::uint32_t vertex : curve) colours[vertex] = colour_of(kind);
       }
     }

@@ -22,20 +22,34 @@ std::string numbered(const Loop& loop) {
   return name_of(loop.kind) + " " + std::to_string(loop.id);
 }
 
-// Every step of every curve, the step from its last vertex to its first among them.
+// The curves of a loop, and the walks beside its geodesics.
+std::vector<Curve> walks_of(const Loop& loop) {
+  std::vector<Curve> walks = loop.curves;
+  for (const Geodesic& geodesic : loop.geodesics) walks.push_back(pushed_to_edges(geodesic));
+  return walks;
+}
+
+// Every step of every curve, the step from its last vertex to its first among them, and every edge
+// that a geodesic crosses.
 std::vector<VertexPair> loop_steps(const Analysis& analysis) {
   std::vector<VertexPair> steps;
+  const auto add = [&](const Loop& loop, std::uint32_t from, std::uint32_t to) {
+    if (from >= analysis.surface.points.size() || from == to) {
+      throw SelfCheckFailed(numbered(loop) + " leaves the surface");
+    }
+    steps.push_back(unordered(from, to));
+  };
   for (const Loop& loop : analysis.loops) {
     if (loop.curves.empty()) throw SelfCheckFailed(numbered(loop) + " has no curve");
-    for (const auto& curve : loop.curves) {
-      if (curve.size() < 3) throw SelfCheckFailed(numbered(loop) + " does not go round anything");
-      for (std::size_t i = 0; i < curve.size(); ++i) {
-        const std::uint32_t from = curve[i];
-        const std::uint32_t to = curve[i + 1 == curve.size() ? 0 : i + 1];
-        if (from >= analysis.surface.points.size() || from == to) {
-          throw SelfCheckFailed(numbered(loop) + " leaves the surface");
-        }
-        steps.push_back(unordered(from, to));
+    for (const Curve& walk : walks_of(loop)) {
+      if (walk.size() < 3) throw SelfCheckFailed(numbered(loop) + " does not go round anything");
+      for (std::size_t i = 0; i < walk.size(); ++i) {
+        add(loop, walk[i], walk[i + 1 == walk.size() ? 0 : i + 1]);
+      }
+    }
+    for (const Geodesic& geodesic : loop.geodesics) {
+      for (const SurfacePoint& point : geodesic) {
+        if (point.at != 0.0) add(loop, point.edge[0], point.edge[1]);
       }
     }
   }
