@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <limits>
 #include <unordered_map>
 
@@ -37,21 +36,26 @@ std::vector<Curve> without_repeated_edges(const Curve& walk) {
   return closed_curves(odd);
 }
 
+/// No edge of M leaves its cube.
+double longest_edge(const Surface& surface) {
+  constexpr double rounding = 1e-3;
+  return (1.0 + rounding) * distance({0.0, 0.0, 0.0}, surface.spacing);
+}
+
 }  // namespace
 
 LoopSearch::LoopSearch(const Surface& surface, const SurfaceClasses& classes, Side side)
     : surface_(surface),
       classes_(classes),
       side_(side),
-      steps_(classes.pool.count(), Step{{none, none}, false, 0}),
-      reached_(surface.points.size()) {
-  steps_[0].label = {};
-}
+      steps_(classes.pool.count(), Step{{none, none}, 0, false}),
+      reached_(surface.points.size()),
+      queue_(longest_edge(surface)) {}
 
 void LoopSearch::look_for(WantedLoops wanted) {
   wanted_ = std::move(wanted);
   wanted_own_ = pool_.intern(wanted_.own);
-  useful_length_.clear();
+  ++asked_;
 }
 
 void LoopSearch::begin(std::uint32_t base) {
@@ -62,51 +66,27 @@ void LoopSearch::begin(std::uint32_t base) {
   }
   settled_ = 0;
   queue_.clear();
-  paths_.clear();
-  reach({0.0F, base, {}, false, false, none, none}, 1);
+  paths_.assign(1, {0.0F, base, {}, none, none, false, false});
+  reached_[base] = {current_, 0};
+  queue_.push(0.0F, 0);
 }
 
 std::uint32_t LoopSearch::first_path(std::uint32_t vertex) const {
   return reached_[vertex].search == current_ ? reached_[vertex].first : none;
 }
 
-/// Keeps a path unless a shorter one of its class is known, or `sheets` shorter ones of others.
-void LoopSearch::reach(const Path& path, std::uint32_t sheets) {
-  std::uint32_t same = none;
-  std::uint32_t shorter = 0;
-  for (std::uint32_t p = first_path(path.vertex); p != none; p = paths_[p].next) {
-    if (paths_[p].label == path.label) {
-      if (paths_[p].distance <= path.distance) return;
-      same = p;
-    } else if (paths_[p].distance <= path.distance && ++shorter == sheets) {
-      return;
-    }
-  }
-  if (same == none) {
-    same = static_cast<std::uint32_t>(paths_.size());
-    paths_.push_back(path);
-    paths_.back().next = first_path(path.vertex);
-    reached_[path.vertex] = {current_, same};
-  } else {
-    paths_[same].distance = path.distance;
-    paths_[same].parent = path.parent;
-  }
-  queue_.emplace_back(path.distance, same);
-  std::push_heap(queue_.begin(), queue_.end(), std::greater<>{});
-}
-
 /// Not if it is settled already, or as many others to its vertex are as there may be.
-bool LoopSearch::may_settle(std::uint32_t path, std::uint32_t sheets) const {
-  if (paths_[path].is_settled) return false;
+bool LoopSearch::may_settle(const Path& path, std::uint32_t sheets) const {
+  if (path.is_settled) return false;
   std::uint32_t others = 0;
-  for (std::uint32_t p = first_path(paths_[path].vertex); p != none; p = paths_[p].next)
+  for (std::uint32_t p = first_path(path.vertex); p != none; p = paths_[p].next)
     if (paths_[p].is_settled && ++others == sheets) return false;
   return true;
 }
 
 const LoopSearch::Step& LoopSearch::step_of(std::uint32_t label) {
   Step& step = steps_[label];
-  if (label == 0 || step.odd_for == current_) return step;
+  if (step.odd_for == current_) return step;
   if (step.label.own == none) {
     const SplitClass parts = split_class(classes_, side_, classes_.pool.generators(label));
     step.label = {pool_.intern(parts.own), pool_.intern(parts.other)};
@@ -120,10 +100,10 @@ const LoopSearch::Step& LoopSearch::step_of(std::uint32_t label) {
 }
 
 double LoopSearch::useful_length(std::uint32_t other) {
-  if (other >= useful_length_.size()) useful_length_.resize(pool_.count(), -1.0);
-  double& length = useful_length_[other];
-  if (length < 0.0) length = wanted_.useful_length(pool_.generators(other));
-  return length;
+  if (other >= useful_.size()) useful_.resize(pool_.count());
+  Useful& useful = useful_[other];
+  if (useful.asked != asked_) useful = {wanted_.useful_length(pool_.generators(other)), asked_};
+  return useful.length;
 }
 
 /// Settles paths up to half of `bound` and calls close(closing) for every way to close a loop of
@@ -133,33 +113,66 @@ template <class Close>
 void LoopSearch::explore(std::uint32_t base, double& bound, std::uint32_t sheets,
                          const Close& close) {
   begin(base);
-  while (!queue_.empty() && 2.0 * queue_.front().first <= bound) {
-    const std::uint32_t path = queue_.front().second;
-    std::pop_heap(queue_.begin(), queue_.end(), std::greater<>{});
-    queue_.pop_back();
-    if (!may_settle(path, sheets)) continue;
-    paths_[path].is_settled = true;
+  while (!queue_.empty()) {
+    const BucketQueue::Item nearest = queue_.take();
+    if (2.0 * nearest.key > bound) break;
+    const std::uint32_t number = nearest.value;
+    if (!may_settle(paths_[number], sheets)) continue;
+    paths_[number].is_settled = true;
     ++settled_;
-    const Path here = paths_[path];
+    const Path here = paths_[number];
     surface_.graph.for_each_out_edge(here.vertex, [&](std::uint32_t next, std::uint32_t edge) {
-      const Step& step = step_of(classes_.of_edge[edge]);
-      const Label label{pool_.sum(here.label.own, step.label.own),
-                        pool_.sum(here.label.other, step.label.other)};
-      const bool is_odd = here.is_odd != step.is_odd;
-      const std::uint32_t own_back = pool_.sum(label.own, wanted_own_);
-      const float through = here.distance + surface_.graph.lengths[edge];
-      for (std::uint32_t p = first_path(next); p != none; p = paths_[p].next) {
-        const Path& back = paths_[p];
-        if (!back.is_settled) continue;
-        const double length = double{through} + back.distance;
-        if (back.is_odd != is_odd) shortest_crossing_ = std::min(shortest_crossing_, length);
-        if (back.label.own != own_back || back.label == label || length > bound) continue;
-        close(Closing{path, p, pool_.sum(label.other, back.label.other), length});
+      Path path{here.distance + surface_.graph.lengths[edge],
+                next,
+                here.label,
+                number,
+                none,
+                here.is_odd,
+                false};
+      if (const std::uint32_t label = classes_.of_edge[edge]; label != 0) {
+        const Step& step = step_of(label);
+        path.label = {pool_.sum(path.label.own, step.label.own),
+                      pool_.sum(path.label.other, step.label.other)};
+        path.is_odd = path.is_odd != step.is_odd;
       }
-      if (2.0 * through > bound) return;
-      reach({through, next, label, is_odd, false, path, none}, sheets);
+      extend(path, bound, sheets, close);
     });
   }
+}
+
+/// Closes loops with the settled paths to the same vertex. Keeps the path unless a shorter one of
+/// its class is known, or `sheets` shorter ones of others.
+template <class Close>
+void LoopSearch::extend(const Path& path, const double& bound, std::uint32_t sheets,
+                        const Close& close) {
+  const std::uint32_t own_back = pool_.sum(path.label.own, wanted_own_);
+  std::uint32_t same = none;
+  std::uint32_t shorter = 0;
+  const std::uint32_t first = first_path(path.vertex);
+  for (std::uint32_t p = first; p != none; p = paths_[p].next) {
+    const Path& known = paths_[p];
+    if (known.distance <= path.distance) ++shorter;
+    if (known.label == path.label) {
+      if (known.distance <= path.distance) shorter = sheets;
+      same = p;
+    } else if (known.is_settled) {
+      const double length = double{path.distance} + known.distance;
+      if (known.is_odd != path.is_odd) shortest_crossing_ = std::min(shortest_crossing_, length);
+      if (known.label.own == own_back && length <= bound)
+        close(Closing{path.parent, p, pool_.sum(path.label.other, known.label.other), length});
+    }
+  }
+  if (shorter >= sheets || 2.0 * path.distance > bound) return;
+  if (same == none) {
+    same = static_cast<std::uint32_t>(paths_.size());
+    paths_.push_back(path);
+    paths_.back().next = first;
+    reached_[path.vertex] = {current_, same};
+  } else {
+    paths_[same].distance = path.distance;
+    paths_[same].parent = path.parent;
+  }
+  queue_.push(path.distance, same);
 }
 
 std::optional<FoundLoop> LoopSearch::shortest(std::uint32_t base, double longest) {

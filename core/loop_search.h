@@ -6,9 +6,9 @@
 #include <limits>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
+#include "core/bucket_queue.h"
 #include "core/certificate.h"
 #include "core/label.h"
 #include "core/surface.h"
@@ -78,19 +78,23 @@ class LoopSearch {
     float distance = 0.0F;
     std::uint32_t vertex = 0;
     Label label;
-    bool is_odd = false;  // number of generators of the label that are counted as crossings
-    bool is_settled = false;
     std::uint32_t parent = 0;  // the path without its last edge
     std::uint32_t next = 0;    // another path to the same vertex
+    bool is_odd = false;       // number of generators of the label that are counted as crossings
+    bool is_settled = false;
   };
   struct Step {  // along an edge: what its label comes to for this object
     Label label;
-    bool is_odd = false;
     std::uint32_t odd_for = 0;  // the search that is_odd is for
+    bool is_odd = false;
   };
   struct Reached {
     std::uint32_t search = 0;  // that last reached the vertex
     std::uint32_t first = 0;   // path to it
+  };
+  struct Useful {
+    double length = 0.0;
+    std::uint32_t asked = 0;  // the call of look_for() that it answers
   };
   struct Closing {
     std::uint32_t from = 0;  // paths
@@ -101,9 +105,10 @@ class LoopSearch {
 
   template <class Close>
   void explore(std::uint32_t base, double& bound, std::uint32_t sheets, const Close& close);
+  template <class Close>
+  void extend(const Path& path, const double& bound, std::uint32_t sheets, const Close& close);
   void begin(std::uint32_t base);
-  void reach(const Path& path, std::uint32_t sheets);
-  bool may_settle(std::uint32_t path, std::uint32_t sheets) const;
+  bool may_settle(const Path& path, std::uint32_t sheets) const;
   std::uint32_t first_path(std::uint32_t vertex) const;
   double useful_length(std::uint32_t other);
   const Step& step_of(std::uint32_t label);
@@ -113,14 +118,15 @@ class LoopSearch {
   const SurfaceClasses& classes_;
   Side side_;
   WantedLoops wanted_;
+  std::uint32_t asked_ = 0;       // calls of look_for()
   LabelPool pool_;                // parts of classes met so far, by this object
   std::uint32_t wanted_own_ = 0;  // number in pool_
+  std::vector<Useful> useful_;    // by number in pool_
   std::vector<Step> steps_;       // by number in classes_.pool
   std::span<const std::uint32_t> crossing_;
-  std::vector<double> useful_length_;  // by number in pool_; negative: not asked
-  std::vector<Reached> reached_;       // by vertex
+  std::vector<Reached> reached_;  // by vertex
   std::vector<Path> paths_;
-  std::vector<std::pair<float, std::uint32_t>> queue_;
+  BucketQueue queue_;  // paths by distance
   std::uint32_t current_ = 0;
   std::uint64_t settled_ = 0;  // in this search
   double shortest_crossing_ = 0.0;

@@ -5,6 +5,7 @@ isoloop_add_tests(isoloop_core_tests
     core_betti_test.cpp
     core_bit_column_test.cpp
     core_bounded_search_test.cpp
+    core_bucket_queue_test.cpp
     core_certificate_test.cpp
     core_closest_test.cpp
     core_cube_test.cpp

@@ -1,0 +1,72 @@
+// A queue for Dijkstra's search: takes the least first, where no key exceeds the last one taken by
+// more than a step of known length.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace isoloop {
+
+/// Keys that are not negative, with a value each; of equal keys the lesser value comes first. Lies
+/// in buckets (Dial, Communications of the ACM 12, 1969), of which only the one that is being
+/// emptied is kept as a heap.
+class BucketQueue {
+ public:
+  struct Item {
+    float key = 0.0F;
+    std::uint32_t value = 0;
+  };
+
+  /// No key pushed may be less than the one taken last, or exceed it by more than `longest_step`.
+  explicit BucketQueue(double longest_step)
+      : per_bucket_(static_cast<float>((bucket_count - 2) / longest_step)) {}
+
+  bool empty() const { return size_ == 0; }
+
+  void clear() {
+    for (auto& bucket : buckets_) bucket.clear();
+    size_ = 0;
+    current_ = 0;
+  }
+
+  void push(float key, std::uint32_t value) {
+    // Non-negative floats compare as their bit patterns do.
+    const std::uint64_t item = std::uint64_t{std::bit_cast<std::uint32_t>(key)} << 32 | value;
+    const auto number = static_cast<std::uint64_t>(key * per_bucket_);
+    auto& bucket = buckets_[number % bucket_count];
+    bucket.push_back(item);
+    if (number == current_) std::push_heap(bucket.begin(), bucket.end(), std::greater<>{});
+    ++size_;
+  }
+
+  /// Removes the least. The queue must not be empty.
+  Item take() {
+    if (buckets_[current_ % bucket_count].empty()) {
+      while (buckets_[++current_ % bucket_count].empty()) {
+      }
+      auto& next = buckets_[current_ % bucket_count];
+      std::make_heap(next.begin(), next.end(), std::greater<>{});
+    }
+    auto& bucket = buckets_[current_ % bucket_count];
+    std::pop_heap(bucket.begin(), bucket.end(), std::greater<>{});
+    const std::uint64_t item = bucket.back();
+    bucket.pop_back();
+    --size_;
+    return {std::bit_cast<float>(static_cast<std::uint32_t>(item >> 32)),
+            static_cast<std::uint32_t>(item)};
+  }
+
+ private:
+  static constexpr std::uint64_t bucket_count = 128;
+
+  std::array<std::vector<std::uint64_t>, bucket_count> buckets_;  // key, then value
+  std::uint64_t current_ = 0;  // number of the bucket that is a heap; the others follow it
+  std::size_t size_ = 0;
+  float per_bucket_;
+};
+
+}  // namespace isoloop
