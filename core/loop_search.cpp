@@ -58,6 +58,24 @@ void LoopSearch::look_for(WantedLoops wanted) {
   ++asked_;
 }
 
+void LoopSearch::stay_near(const Curve& curve, std::size_t edges) {
+  is_bounded_ = !curve.empty();
+  near_.resize(reached_.size());
+  ++stays_;
+  Curve inner = curve;
+  for (const std::uint32_t vertex : inner) near_[vertex] = stays_;
+  for (std::size_t i = 0; i < edges; ++i) {
+    Curve outer;
+    for (const std::uint32_t vertex : inner)
+      surface_.graph.for_each_out_edge(vertex, [&](std::uint32_t next, std::uint32_t) {
+        if (near_[next] == stays_) return;
+        near_[next] = stays_;
+        outer.push_back(next);
+      });
+    inner = std::move(outer);
+  }
+}
+
 void LoopSearch::begin(std::uint32_t base) {
   if (++current_ == 0) {  // after 2^32 searches: no stale entry may look current
     for (Reached& vertex : reached_) vertex.search = 0;
@@ -73,6 +91,13 @@ void LoopSearch::begin(std::uint32_t base) {
 
 std::uint32_t LoopSearch::first_path(std::uint32_t vertex) const {
   return reached_[vertex].search == current_ ? reached_[vertex].first : none;
+}
+
+double LoopSearch::distance_to(std::uint32_t vertex) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::uint32_t p = first_path(vertex); p != none; p = paths_[p].next)
+    least = std::min(least, double{paths_[p].distance});
+  return least;
 }
 
 /// Not if it is settled already, or as many others to its vertex are as there may be.
@@ -122,6 +147,7 @@ void LoopSearch::explore(std::uint32_t base, double& bound, std::uint32_t sheets
     ++settled_;
     const Path here = paths_[number];
     surface_.graph.for_each_out_edge(here.vertex, [&](std::uint32_t next, std::uint32_t edge) {
+      if (is_bounded_ && near_[next] != stays_) return;
       Path path{here.distance + surface_.graph.lengths[edge],
                 next,
                 here.label,

@@ -60,6 +60,13 @@ class LoopSearch {
   /// long with the stem; returned without it. On one sheet. Nothing where there is none.
   std::optional<FoundLoop> shortest(std::uint32_t base, double longest);
 
+  /// How far `vertex` is from the last search's base, along M; infinite where it did not come.
+  double distance_to(std::uint32_t vertex) const;
+
+  /// From here on searches meet only walks no farther than `edges` edges from `curve`; all walks
+  /// again if it is empty.
+  void stay_near(const Curve& curve, std::size_t edges);
+
   /// For every class met: the loop of the shortest closed walk from `base`, without its stem, if it
   /// is of use. And the length of the shortest closed walk of any class, useful or not, whose part
   /// in the other side's homology has an odd number of the generators `crossing`; limits.longest
@@ -124,7 +131,10 @@ class LoopSearch {
   std::vector<Useful> useful_;    // by number in pool_
   std::vector<Step> steps_;       // by number in classes_.pool
   std::span<const std::uint32_t> crossing_;
-  std::vector<Reached> reached_;  // by vertex
+  std::vector<std::uint32_t> near_;  // by vertex: the call of stay_near() that last allowed it
+  std::uint32_t stays_ = 0;          // calls of stay_near()
+  bool is_bounded_ = false;          // by the last of them
+  std::vector<Reached> reached_;     // by vertex
   std::vector<Path> paths_;
   BucketQueue queue_;  // paths by distance
   std::uint32_t current_ = 0;

@@ -20,7 +20,10 @@ namespace isoloop {
 namespace {
 
 constexpr double any_length = std::numeric_limits<double>::infinity();
+constexpr double noticeable = 0.95;          // gains of less are left to shortening
 constexpr std::size_t starts_per_curve = 8;  // searches that try to shorten a curve
+constexpr std::size_t edges_per_band = 16;   // of a curve, to one edge of the band's half width
+constexpr std::size_t least_band = 2;        // edges, likewise
 
 Vec3 center_of(const Surface& surface, const Loop& loop) {
   Vec3 sum{};
@@ -83,8 +86,14 @@ class LoopFinder {
                      }});
     double longest = length_of(surface_, closed_curves(side_.borders.of(i)));
     std::optional<FoundLoop> best;
-    for (const std::uint32_t base : bases(i)) {
-      std::optional<FoundLoop> found = search.shortest(base, longest);
+    const std::vector<std::uint32_t> starts = bases(i);
+    std::vector<double> least(starts.size());  // length of a loop through each
+    for (std::size_t s = 0; s < starts.size(); ++s) {
+      if (least[s] >= noticeable * longest) continue;
+      std::optional<FoundLoop> found = search.shortest(starts[s], longest);
+      const double through = found ? found->length : longest;
+      for (std::size_t t = s + 1; t < starts.size(); ++t)
+        least[t] = std::max(least[t], through - 2.0 * search.distance_to(starts[t]));
       if (!found || (best && found->length >= best->length)) continue;
       best = std::move(found);
       longest = best->length;
@@ -93,15 +102,23 @@ class LoopFinder {
     return {shortened(best->curves.front(), search)};
   }
 
-  /// Searches again from vertices of the curve itself.
+  /// Searches again from vertices of the curve itself, in a band about it.
   Curve shortened(const Curve& curve, LoopSearch& search) const {
     FoundLoop best{{curve}, length_of(surface_, {&curve, 1}), {}};
-    const std::size_t count = std::min(curve.size(), starts_per_curve);
-    for (std::size_t k = 0; k < count; ++k) {
+    const auto stay_near_best = [&] {
+      const Curve& now = best.curves.front();
+      search.stay_near(now, std::max(least_band, now.size() / edges_per_band));
+    };
+    stay_near_best();
+    for (std::size_t k = 0; k < starts_per_curve; ++k) {
+      const Curve& now = best.curves.front();
       std::optional<FoundLoop> found =
-          search.shortest(curve[k * curve.size() / count], best.length);
-      if (found && found->length < best.length) best = std::move(*found);
+          search.shortest(now[k * now.size() / starts_per_curve], best.length);
+      if (!found || found->length >= best.length) continue;
+      best = std::move(*found);
+      stay_near_best();
     }
+    search.stay_near({}, 0);
     return best.curves.front();
   }
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/bounded_search.h"
 #include "core/killing_border.h"
 #include "core/loop_search.h"
 #include "tests/core_fixture.h"
@@ -72,6 +73,46 @@ TEST(LoopSearch, ReturnsNothingLongerThanAllowed) {
   search.look_for(any_handle());
   const double length = search.shortest(0, any_length)->length;
   EXPECT_FALSE(search.shortest(0, 0.9 * length).has_value());
+}
+
+TEST(LoopSearch, StaysNearACurveUntilToldOtherwise) {
+  const Torus torus;
+  LoopSearch search(torus.prepared.surface, torus.classes, Side::inside);
+  search.look_for(any_handle());
+  const FoundLoop loop = search.shortest(0, any_length).value();
+  const Curve& curve = loop.curves.front();
+  const std::uint32_t opposite = curve[curve.size() / 2];
+  search.stay_near({0}, curve.size() / 4);
+  EXPECT_FALSE(search.shortest(0, any_length).has_value()) << "a disk has no handle loop";
+  search.stay_near(curve, 2);
+  const auto near = search.shortest(opposite, any_length);
+  ASSERT_TRUE(near.has_value());
+  search.stay_near({}, 0);
+  const auto anywhere = search.shortest(opposite, any_length);
+  ASSERT_TRUE(anywhere.has_value());
+  EXPECT_LE(anywhere->length, near->length);
+  EXPECT_LE(near->length, loop.length) << "the curve itself lies in the band";
+}
+
+TEST(LoopSearch, TellsHowFarItCame) {
+  const Torus torus;
+  const Surface& surface = torus.prepared.surface;
+  LoopSearch search(surface, torus.classes, Side::inside);
+  search.look_for(any_handle());
+  constexpr double longest = 12.0;
+  search.shortest(0, longest);
+  BoundedSearch plain;
+  std::size_t reached = 0;
+  plain.run(surface.graph, 0, longest / 2, [&](std::uint32_t vertex, float distance) {
+    EXPECT_NEAR(search.distance_to(vertex), distance, 1e-4);
+    ++reached;
+    return true;
+  });
+  std::size_t finite = 0;
+  for (std::uint32_t v = 0; v < surface.points.size(); ++v)
+    finite += search.distance_to(v) < any_length ? 1 : 0;
+  EXPECT_EQ(finite, reached);
+  EXPECT_LT(reached, surface.points.size());
 }
 
 TEST(LoopSearch, ReturnsNothingWhereNoClassIsWanted) {
