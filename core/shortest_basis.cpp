@@ -11,7 +11,8 @@ namespace isoloop {
 namespace {
 
 constexpr std::uint32_t most_sheets = 8;  // where the effort suffices for so many
-constexpr std::size_t batch = 16;         // searches between two looks at the effort spent
+constexpr std::size_t least_batch = 16;   // searches between two looks at the effort spent
+constexpr std::size_t most_batches = 32;  // of one search from each loop: each looks at all members
 constexpr std::size_t own_starts = 8;     // searches that try to shorten a curve that was exchanged
 constexpr int most_rounds = 8;
 
@@ -97,6 +98,7 @@ class Shortening {
              std::vector<BasisMember> members, std::vector<Crossed> crossed, double effort)
       : exchange_(surface, classes, side, std::move(members)),
         crossed_(std::move(crossed)),
+        batch_(std::max(least_batch, crossed_.size() / most_batches)),
         left_(effort) {}
 
   void run() {
@@ -131,7 +133,7 @@ class Shortening {
     std::vector<SearchCost> cost;
     for (std::size_t done = 0; done < open.size() && left_ > 0.0; done = cost.size()) {
       std::vector<SearchStart> pilots;
-      for (std::size_t o = done; o < std::min(done + batch, open.size()); ++o)
+      for (std::size_t o = done; o < std::min(done + batch_, open.size()); ++o)
         pilots.push_back(start_at(open[o], 0, longest[open[o]], 1));
       const std::vector<SearchCost> costs = search(pilots);
       cost.insert(cost.end(), costs.begin(), costs.end());
@@ -225,8 +227,8 @@ class Shortening {
           starts.push_back({curve[k * curve.size() / count], {member.length, 1}, {}});
       }
     }
-    for (std::size_t done = 0; done < starts.size() && left_ > 0.0; done += batch)
-      search(std::span(starts).subspan(done, std::min(batch, starts.size() - done)));
+    for (std::size_t done = 0; done < starts.size() && left_ > 0.0; done += batch_)
+      search(std::span(starts).subspan(done, std::min(batch_, starts.size() - done)));
     return total() < before;
   }
 
@@ -249,7 +251,8 @@ class Shortening {
 
   BasisExchange exchange_;
   std::vector<Crossed> crossed_;
-  double left_;  // of the effort
+  std::size_t batch_;  // searches between two looks at the effort spent
+  double left_;        // of the effort
 };
 
 }  // namespace
