@@ -20,10 +20,10 @@ namespace isoloop {
 namespace {
 
 constexpr double any_length = std::numeric_limits<double>::infinity();
-constexpr double noticeable = 0.95;          // gains of less are left to shortening
-constexpr std::size_t starts_per_curve = 8;  // searches that try to shorten a curve
-constexpr std::size_t edges_per_band = 16;   // of a curve, to one edge of the band's half width
-constexpr std::size_t least_band = 2;        // edges, likewise
+constexpr double noticeable = 0.95;           // gains of less are left to shortening
+constexpr std::size_t starts_per_curve = 16;  // searches that try to shorten a curve
+constexpr std::size_t edges_per_band = 16;    // of a curve, to one edge of the band's half width
+constexpr std::size_t least_band = 2;         // edges, likewise
 
 Vec3 center_of(const Surface& surface, const Loop& loop) {
   Vec3 sum{};
