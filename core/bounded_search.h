@@ -18,8 +18,10 @@ class BoundedSearch {
  public:
   /// Settles vertices in order of distance from `source`, up to `radius` (unit of the lengths),
   /// and calls settle(vertex, distance) for each, until that returns false.
-  template <class Settle>
-  void run(const EdgeGraph& graph, std::uint32_t source, double radius, const Settle& settle) {
+  /// Goes on from a vertex only if leads_on(vertex, distance).
+  template <class Settle, class LeadsOn>
+  void run(const EdgeGraph& graph, std::uint32_t source, double radius, const Settle& settle,
+           const LeadsOn& leads_on) {
     begin(graph.vertex_count());
     reach(source, 0.0F);
     const auto limit = static_cast<float>(radius);
@@ -31,11 +33,18 @@ class BoundedSearch {
       const auto vertex = static_cast<std::uint32_t>(nearest);
       if (distance > states_[vertex].distance) continue;
       if (!settle(vertex, distance)) return;
+      if (!leads_on(vertex, distance)) continue;
       graph.for_each_out_edge(vertex, [&](std::uint32_t next, std::uint32_t edge) {
         const float through = distance + graph.lengths[edge];
         if (through <= limit && through < distance_of(next)) reach(next, through);
       });
     }
+  }
+
+  /// Goes on from every vertex.
+  template <class Settle>
+  void run(const EdgeGraph& graph, std::uint32_t source, double radius, const Settle& settle) {
+    run(graph, source, radius, settle, [](std::uint32_t, float) { return true; });
   }
 
  private:

@@ -19,6 +19,7 @@ constexpr float unknown = -1.0F;
 constexpr float infinite = std::numeric_limits<float>::infinity();
 constexpr double exact_radius = 5.0;  // voxels
 constexpr double level_radius = 8.0;  // blocks of the level
+constexpr double rounding = 1e-5;     // of sums of single precision, relative
 
 /// Calls visit(edge, side, a, b): K's edge that is `grid_edge` or its half on `side`, and the
 /// surface vertices closest to its ends.
@@ -67,9 +68,32 @@ VertexPairs collect_pairs(const Sides& sides, const EdgeIndex& edges, const Surf
   return collector.take();
 }
 
+/// Some points, as a ball that holds them.
+struct Ball {
+  Vec3 center{};
+  double radius = 0.0;
+  std::size_t count = 0;
+};
+
+/// `visit_all(visit)` calls visit(point) for each.
+template <class VisitAll>
+Ball ball_around(const VisitAll& visit_all) {
+  Ball ball;
+  visit_all([&](const Vec3& point) {
+    ++ball.count;
+    for (int a = 0; a < 3; ++a) ball.center[a] += point[a];
+  });
+  for (double& x : ball.center) x /= static_cast<double>(std::max<std::size_t>(ball.count, 1));
+  visit_all([&](const Vec3& point) {
+    ball.radius = std::max(ball.radius, distance(point, ball.center));
+  });
+  return ball;
+}
+
 /// Fills in the distances up to `radius` between the partners that are still unknown. No path is
-/// shorter than the straight line: pairs farther apart than `radius` are not searched for, and an
-/// edge between two partners is their shortest path.
+/// shorter than the straight line: pairs farther apart than `radius` are not searched for, an edge
+/// between two partners is their shortest path, and a path is given up where what is left of
+/// `radius` does not suffice to reach the ball around the partners.
 void search_pairs(const EdgeGraph& graph, const std::vector<Vec3>& points, const VertexPairs& pairs,
                   double radius, std::vector<float>& lengths) {
   tbb::enumerable_thread_specific<BoundedSearch> searches;
@@ -88,16 +112,24 @@ void search_pairs(const EdgeGraph& graph, const std::vector<Vec3>& points, const
         float* const length = length_to(next);
         if (length != nullptr && *length == unknown) *length = graph.lengths[edge];
       });
-      auto open = std::count_if(begin, end, [&](const std::uint32_t& partner) {
-        return lengths[static_cast<std::size_t>(&partner - pairs.partner.data())] == unknown &&
-               distance(points[source], points[partner]) <= radius;
+      const Ball open = ball_around([&](const auto& visit) {
+        for (std::uint32_t i = pairs.first[source]; i < pairs.first[source + 1]; ++i) {
+          const Vec3& point = points[pairs.partner[i]];
+          if (lengths[i] == unknown && distance(points[source], point) <= radius) visit(point);
+        }
       });
-      if (open == 0) continue;
-      search.run(graph, source, radius, [&](std::uint32_t vertex, float distance) {
+      if (open.count == 0) continue;
+      std::size_t left = open.count;
+      const auto settle = [&](std::uint32_t vertex, float path) {
         float* const length = length_to(vertex);
         if (length == nullptr || *length != unknown) return true;
-        *length = distance;
-        return --open > 0;
+        *length = path;
+        return --left > 0;
+      };
+      const double in_all = (radius + open.radius) * (1.0 + rounding);
+      const double surely = (in_all - distance(points[source], open.center)) / 2;
+      search.run(graph, source, radius, settle, [&](std::uint32_t vertex, float path) {
+        return path <= surely || path + distance(points[vertex], open.center) <= in_all;
       });
     }
   });

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 #include <vector>
 
@@ -53,6 +54,23 @@ TEST(BoundedSearch, StopsWhenToldTo) {
   int settled = 0;
   search.run(prepared.surface.graph, 0, 1e9, [&](std::uint32_t, float) { return ++settled < 5; });
   EXPECT_EQ(settled, 5);
+}
+
+TEST(BoundedSearch, GoesOnOnlyFromVerticesThatLeadOn) {
+  const testing::Prepared prepared(testing::torus({16, 16, 16}), GeodesicMode::hierarchy);
+  const EdgeGraph& graph = prepared.surface.graph;
+  BoundedSearch search;
+  std::vector<std::uint32_t> settled;
+  const auto settle = [&](std::uint32_t vertex, float) {
+    settled.push_back(vertex);
+    return true;
+  };
+  search.run(graph, 7, 1e9, settle, [](std::uint32_t vertex, float) { return vertex == 7; });
+  std::vector<std::uint32_t> expected{7};
+  graph.for_each_out_edge(7, [&](std::uint32_t next, std::uint32_t) { expected.push_back(next); });
+  std::sort(settled.begin(), settled.end());
+  std::sort(expected.begin(), expected.end());
+  EXPECT_EQ(settled, expected);
 }
 
 }  // namespace
