@@ -7,19 +7,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/short_list.h"
+
 namespace isoloop {
-
-/// At most N items, in place.
-template <class T, std::size_t N>
-struct ShortList {
-  std::array<T, N> items{};
-  std::uint32_t count = 0;
-
-  void push_back(T item) { items[count++] = item; }
-  const T* begin() const { return items.data(); }
-  const T* end() const { return items.data() + count; }
-  T operator[](std::size_t i) const { return items[i]; }
-};
 
 /// One side of M as a complex of balls. Pieces, cells and edges carry numbers below the bounds;
 /// not every number below a bound need be in use.

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <unordered_map>
 #include <utility>
 #include <vector>
+
+#include "core/cube_tunnel.h"
 
 namespace isoloop {
 namespace {
@@ -64,9 +67,9 @@ std::array<int, 12> trace_segments(std::uint8_t inside, std::uint8_t joined) {
   return next;
 }
 
-std::vector<std::vector<int>> trace_polygons(std::uint8_t inside, std::uint8_t joined) {
+std::vector<Polygon> trace_polygons(std::uint8_t inside, std::uint8_t joined) {
   std::array<int, 12> next = trace_segments(inside, joined);
-  std::vector<std::vector<int>> polygons;
+  std::vector<Polygon> polygons;
   for (int start = 0; start < 12; ++start) {
     if (next[start] < 0) continue;
     polygons.emplace_back();
@@ -114,7 +117,7 @@ int diagonal_cost(int edge, int other_edge, bool odd_cube) {
 }
 
 /// Triangulation of least cost by the classical recurrence over chords i < m < k.
-void triangulate(const std::vector<int>& polygon, bool odd_cube, CubeCut& cut) {
+void triangulate(const Polygon& polygon, bool odd_cube, CubeCut& cut) {
   const int n = static_cast<int>(polygon.size());
   std::array<std::array<int, 12>, 12> cost{};
   std::array<std::array<int, 12>, 12> split{};
@@ -169,20 +172,27 @@ void number_cells(std::uint8_t inside, std::uint8_t joined, CubeCut& cut) {
   }
 }
 
-CubeCut make_cut(std::uint8_t inside, std::uint8_t joined, bool odd) {
+CubeCut make_cut(std::uint8_t inside, const std::vector<Polygon>& polygons, std::uint8_t joined,
+                 bool odd) {
   CubeCut cut;
-  for (const std::vector<int>& polygon : trace_polygons(inside, joined)) {
-    ++cut.polygon_count;
+  for (const Polygon& polygon : polygons) {
+    ++cut.disc_count;
     triangulate(polygon, odd, cut);
   }
   number_cells(inside, joined, cut);
+  cut.hubs = tunnel_hubs(inside, joined, polygons, cut);
   return cut;
+}
+
+unsigned key_of(unsigned inside, unsigned joined, bool odd) {
+  return inside << 7 | joined << 1 | (odd ? 1U : 0U);
 }
 
 /// All cuts, for every choice on the ambiguous faces.
 struct CutTable {
   std::vector<CubeCut> cuts;
   std::vector<std::uint16_t> index = std::vector<std::uint16_t>(std::size_t{1} << 15);
+  std::unordered_map<unsigned, TunnelCut> tunnels;  // by 8 * key_of() + hub
 
   CutTable() {
     for (unsigned inside = 0; inside < 256; ++inside) {
@@ -191,20 +201,29 @@ struct CutTable {
         if (is_ambiguous(ring_bits(static_cast<std::uint8_t>(inside), face)))
           ambiguous |= 1U << face;
       for (unsigned joined = 0; joined < 64; ++joined)
-        for (unsigned odd = 0; odd < 2; ++odd) {
-          const unsigned key = inside << 7 | joined << 1 | odd;
-          const unsigned same = inside << 7 | (joined & ambiguous) << 1 | odd;
-          if (key == same) {
-            index[key] = static_cast<std::uint16_t>(cuts.size());
-            cuts.push_back(make_cut(static_cast<std::uint8_t>(inside),
-                                    static_cast<std::uint8_t>(joined), odd != 0));
-          } else {
-            index[key] = index[same];
-          }
+        for (const bool odd : {false, true}) {
+          if ((joined & ambiguous) == joined)
+            add(static_cast<std::uint8_t>(inside), static_cast<std::uint8_t>(joined), odd);
+          else
+            index[key_of(inside, joined, odd)] = index[key_of(inside, joined & ambiguous, odd)];
         }
     }
   }
+
+  void add(std::uint8_t inside, std::uint8_t joined, bool odd) {
+    const unsigned key = key_of(inside, joined, odd);
+    const std::vector<Polygon> polygons = trace_polygons(inside, joined);
+    index[key] = static_cast<std::uint16_t>(cuts.size());
+    const CubeCut& cut = cuts.emplace_back(make_cut(inside, polygons, joined, odd));
+    for (const std::uint8_t hub : cut.hubs)
+      tunnels.emplace(8 * key + hub, drill_tunnel(inside, polygons, cut, hub));
+  }
 };
+
+const CutTable& table() {
+  static const CutTable cuts;
+  return cuts;
+}
 
 }  // namespace
 
@@ -235,9 +254,11 @@ std::array<int, 2> edge_corners(int cube_edge) {
 }
 
 const CubeCut& cube_cut(std::uint8_t inside, std::uint8_t joined, bool odd) {
-  static const CutTable table;
-  return table.cuts[table.index[static_cast<unsigned>(inside) << 7 |
-                                static_cast<unsigned>(joined) << 1 | (odd ? 1U : 0U)]];
+  return table().cuts[table().index[key_of(inside, joined, odd)]];
+}
+
+const TunnelCut& tunnel_cut(std::uint8_t inside, std::uint8_t joined, bool odd, int hub) {
+  return table().tunnels.at(8 * key_of(inside, joined, odd) + static_cast<unsigned>(hub));
 }
 
 bool inside_is_joined(const std::array<double, 4>& level) {

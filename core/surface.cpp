@@ -71,7 +71,7 @@ void triangulate(const Sides& sides, const EdgeIndex& edges, Surface& surface) {
   std::vector<std::size_t> first(layers + 1);
   tbb::parallel_for(std::uint32_t{0}, layers, [&](std::uint32_t z) {
     for_each_cut_cube(sides, z, [&](std::uint32_t, const CubeCut& cut) {
-      polygons[z] += cut.polygon_count;
+      polygons[z] += cut.disc_count;
       first[z + 1] += cut.triangle_count;
     });
   });

@@ -43,6 +43,18 @@ void for_each_cut(const std::function<void(unsigned, unsigned, const CubeCut&)>&
     }
 }
 
+/// Visits every cut with a tunnel.
+void for_each_tunnel(
+    const std::function<void(unsigned, unsigned, const CubeCut&, int, const TunnelCut&)>& visit) {
+  for_each_cut([&](unsigned inside, unsigned joined, const CubeCut& plain) {
+    for (const bool odd : {false, true})
+      for (const int hub : plain.hubs)
+        visit(inside, joined, plain, hub,
+              tunnel_cut(static_cast<std::uint8_t>(inside), static_cast<std::uint8_t>(joined), odd,
+                         hub));
+  });
+}
+
 /// The segments of M on the cube's six faces, directed.
 std::set<DirectedEdge> face_segments(unsigned inside, unsigned joined) {
   std::set<DirectedEdge> segments;
@@ -90,7 +102,130 @@ TEST(Cube, EveryPatchIsADisc) {
       }
     const auto euler =
         static_cast<int>(vertices.size()) - static_cast<int>(edges.size()) + cut.triangle_count;
-    EXPECT_EQ(euler, cut.polygon_count) << inside << " " << joined;
+    EXPECT_EQ(euler, cut.disc_count) << inside << " " << joined;
+  });
+}
+
+TEST(Cube, ATunnelsPatchesEndInTheFaceSegmentsAndNowhereElse) {
+  int tunnels = 0;
+  for_each_tunnel(
+      [&](unsigned inside, unsigned joined, const CubeCut& plain, int, const TunnelCut& tunnel) {
+        ++tunnels;
+        std::set<DirectedEdge> border;
+        std::set<int> vertices;
+        const auto edges = directed_edges(tunnel.cut);
+        for (const auto& [edge, count] : edges) {
+          EXPECT_EQ(count, 1) << "a directed edge occurs twice";
+          vertices.insert(edge.first);
+          if (edges.count({edge.second, edge.first}) == 0) border.insert(edge);
+        }
+        EXPECT_EQ(border, face_segments(inside, joined)) << inside << " " << joined;
+        const auto undirected = (edges.size() + border.size()) / 2;
+        EXPECT_EQ(static_cast<int>(vertices.size()) - static_cast<int>(undirected) +
+                      tunnel.cut.triangle_count,
+                  plain.disc_count - 2)
+            << "two discs become an annulus";
+      });
+  EXPECT_EQ(tunnels, 4 * 160);  // both parities, twice: for_each_cut() runs through both
+}
+
+TEST(Cube, ATunnelJoinsTwoCellsOfItsHubsSide) {
+  for_each_tunnel(
+      [&](unsigned inside, unsigned, const CubeCut& plain, int hub, const TunnelCut& tunnel) {
+        const unsigned side = inside >> hub & 1U;
+        EXPECT_EQ(tunnel.cut.cell_count[side] + 1, plain.cell_count[side]);
+        EXPECT_EQ(tunnel.cut.cell_count[1 - side], plain.cell_count[1 - side]);
+        std::map<int, std::set<int>> parts;  // of the hub's side, as before
+        for (unsigned c = 0; c < 8; ++c) {
+          if ((inside >> c & 1U) == side)
+            parts[tunnel.cut.cell_of_corner[c]].insert(plain.cell_of_corner[c]);
+          else
+            EXPECT_EQ(tunnel.cut.cell_of_corner[c], plain.cell_of_corner[c]);
+        }
+        EXPECT_EQ(parts.size(), tunnel.cut.cell_count[side]);
+        EXPECT_EQ(parts[tunnel.cut.cell_of_corner[hub]].size(), 2U);
+      });
+}
+
+TEST(Cube, ACubeWithRoomForATunnelHasBothSidesOnEveryFace) {
+  for_each_tunnel([&](unsigned inside, unsigned, const CubeCut&, int, const TunnelCut&) {
+    for (int face = 0; face < 6; ++face) {
+      EXPECT_NE(ring_bits(inside, face), 0U) << "the grid may end at this face";
+      EXPECT_NE(ring_bits(inside, face), 15U);
+    }
+  });
+}
+
+TEST(Cube, AWallLeadsFromCurveToCurveOnTheOtherSide) {
+  for_each_tunnel(
+      [&](unsigned inside, unsigned joined, const CubeCut&, int hub, const TunnelCut& tunnel) {
+        const CubeWall& wall = tunnel.wall;
+        const unsigned torus = 1U - (inside >> hub & 1U);
+        ASSERT_EQ(wall.edges.count, wall.corners.count + 1);
+        ASSERT_GE(wall.corners.count, 1U);
+        EXPECT_EQ(wall.edges[0], wall.on_m[0]);
+        EXPECT_EQ(wall.edges[wall.edges.count - 1], wall.on_m[2]);
+        for (std::size_t i = 0; i < wall.corners.count; ++i) {
+          EXPECT_EQ(inside >> wall.corners[i] & 1U, torus);
+          for (const int edge : {wall.edges[i], wall.edges[i + 1]}) {
+            const auto ends = edge_corners(edge);
+            EXPECT_TRUE(ends[0] == wall.corners[i] || ends[1] == wall.corners[i]);
+          }
+        }
+        // Its two ends lie on different curves of the annulus.
+        std::map<int, int> next;
+        for (const auto& [from, to] : face_segments(inside, joined)) next[from] = to;
+        for (int at = next.at(wall.on_m[0]); at != wall.on_m[0]; at = next.at(at))
+          EXPECT_NE(at, wall.on_m[2]);
+        const auto edges = directed_edges(tunnel.cut);
+        for (const int end : {wall.on_m[0], wall.on_m[2]})
+          EXPECT_EQ(edges.count({end, wall.on_m[1]}) + edges.count({wall.on_m[1], end}), 2U);
+      });
+}
+
+TEST(Cube, AWallPartsTheTrianglesAtItsVertices) {
+  // Neighbours in the fan at a vertex of the wall lie on different sides exactly across the wall;
+  // on a grid edge the far side is that of the face that comes last round it.
+  for_each_tunnel([&](unsigned, unsigned, const CubeCut&, int, const TunnelCut& tunnel) {
+    const auto& [cut, wall] = tunnel;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int hub = wall.on_m[k];
+      std::map<int, std::vector<bool>> sides_of_rim;  // by the fan's rim vertices
+      for (int t = 0; t < cut.triangle_count; ++t)
+        for (int i = 0; i < 3; ++i) {
+          if (cut.triangles[t][i] != hub) continue;
+          const bool beyond =
+              std::any_of(wall.beyond.begin(), wall.beyond.end(),
+                          [&](const auto& at) { return at.triangle == t && at.corner == i; });
+          for (const int step : {1, 2})
+            sides_of_rim[cut.triangles[t][(i + step) % 3]].push_back(beyond);
+        }
+      const auto on_wall = [&](int rim) {
+        return k == 1 ? rim == wall.on_m[0] || rim == wall.on_m[2] : rim == wall.on_m[1];
+      };
+      for (const auto& [rim, sides] : sides_of_rim) {
+        if (sides.size() == 2) {
+          EXPECT_EQ(sides[0] != sides[1], on_wall(rim));
+          continue;
+        }
+        ASSERT_NE(k, 1U);
+        // A segment on a face at the grid edge. Its direction across the edge's axis:
+        const int axis = hub / 4;
+        const auto [b, c] = cross_axes(axis);
+        const auto shared = [&](int a) {
+          const auto here = edge_corners(hub);
+          const auto there = edge_corners(rim);
+          return (here[0] >> a & 1) == (there[0] >> a & 1) &&
+                 (here[0] >> a & 1) == (there[1] >> a & 1);
+        };
+        const int quadrant_b = hub & 1;
+        const int quadrant_c = hub >> 1 & 1;
+        // Rotating from b to c within the quadrant, the face met last runs along c where the cube
+        // lies on the same side along both axes, else along b.
+        const bool last = quadrant_b == quadrant_c ? shared(b) : shared(c);
+        EXPECT_EQ(sides[0], last);
+      }
+    }
   });
 }
 
@@ -163,9 +298,8 @@ TEST(Cube, NormalsPointOutside) {
 TEST(Cube, CellsArePartsOfTheCubesSurface) {
   for_each_cut([&](unsigned inside, unsigned joined, const CubeCut& cut) {
     // On a sphere, n disjoint closed curves leave n + 1 parts.
-    if (cut.polygon_count == 0) return;
-    EXPECT_EQ(cut.cell_count[0] + cut.cell_count[1], cut.polygon_count + 1)
-        << inside << " " << joined;
+    if (cut.disc_count == 0) return;
+    EXPECT_EQ(cut.cell_count[0] + cut.cell_count[1], cut.disc_count + 1) << inside << " " << joined;
   });
 }
 

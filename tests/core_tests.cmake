@@ -8,6 +8,7 @@ isoloop_add_tests(isoloop_core_tests
     core_bucket_queue_test.cpp
     core_certificate_test.cpp
     core_closest_test.cpp
+    core_cube_interior_test.cpp
     core_cube_test.cpp
     core_disjoint_sets_test.cpp
     core_dual_pass_test.cpp
@@ -42,6 +43,8 @@ isoloop_add_tests(isoloop_core_tests
     layers_test.cpp
     literal_pair.cpp
     random_volumes.cpp
+    refined_cube.cpp
+    swept_cube.cpp
   LIBRARIES isoloop::core TBB::tbb)
 target_compile_definitions(isoloop_core_tests PRIVATE ISOLOOP_SOURCE="${PROJECT_SOURCE_DIR}")
 

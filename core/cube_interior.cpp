@@ -1,0 +1,194 @@
+#include "core/cube_interior.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+namespace isoloop {
+namespace {
+
+using Rational = boost::multiprecision::number<boost::multiprecision::cpp_rational::backend_type,
+                                               boost::multiprecision::et_off>;
+
+/// A double and a bound on its distance from the exact value; of magnitude at most about 1.
+struct Rounded {
+  static constexpr double unit = std::numeric_limits<double>::epsilon();
+  static constexpr double underflow = 1e-300;
+
+  double value = 0.0;
+  double error = 0.0;
+};
+
+Rounded operator+(const Rounded& a, const Rounded& b) {
+  const double sum = a.value + b.value;
+  return {sum, a.error + b.error + Rounded::unit * std::abs(sum)};
+}
+
+Rounded operator-(const Rounded& a, const Rounded& b) { return a + Rounded{-b.value, b.error}; }
+
+Rounded operator*(const Rounded& a, const Rounded& b) {
+  const double product = a.value * b.value;
+  return {product, std::abs(a.value) * b.error + std::abs(b.value) * a.error + a.error * b.error +
+                       Rounded::unit * std::abs(product) + Rounded::underflow};
+}
+
+double largest_of(const CornerLevels& levels) {
+  double largest = 0.0;
+  for (const double level : levels) largest = std::max(largest, std::abs(level));
+  return largest;
+}
+
+/// Sign of polynomial(levels), exact: by rationals where doubles cannot tell. The polynomial must
+/// be homogeneous.
+template <class Polynomial>
+int sign_of(const CornerLevels& levels, const Polynomial& polynomial) {
+  int exponent = 0;
+  std::frexp(largest_of(levels), &exponent);
+  std::array<Rounded, 8> scaled;
+  for (int c = 0; c < 8; ++c) scaled[c] = {std::ldexp(levels[c], -exponent), Rounded::underflow};
+  const Rounded value = polynomial(scaled);
+  if (std::abs(value.value) > 2 * value.error) return value.value > 0 ? 1 : -1;
+  std::array<Rational, 8> exact;
+  for (int c = 0; c < 8; ++c) exact[c] = Rational(levels[c]);
+  return Rational(polynomial(exact)).sign();
+}
+
+/// Corners of the four edges along `axis` in ring order, at their lower ends.
+std::array<int, 4> edge_ring(int axis) {
+  const auto [b, c] = cross_axes(axis);
+  return {0, 1 << b, 1 << b | 1 << c, 1 << c};
+}
+
+/// q in the form first (1 - t)^2 + middle t (1 - t) + last t^2.
+template <class Number>
+struct Quadratic {
+  Number first;
+  Number middle;
+  Number last;
+};
+
+template <class Number>
+Quadratic<Number> saddle_quadratic(const std::array<Number, 8>& f, int axis) {
+  const auto [a, b, c, d] = edge_ring(axis);
+  const int up = 1 << axis;
+  return {f[a] * f[c] - f[b] * f[d],
+          f[a] * f[c | up] + f[a | up] * f[c] - f[b] * f[d | up] - f[b | up] * f[d],
+          f[a | up] * f[c | up] - f[b | up] * f[d | up]};
+}
+
+/// Sign of q at an end of the axis: on an ambiguous face as the face was decided.
+int sign_on_face(const CornerLevels& levels, int axis, bool upper) {
+  std::array<double, 4> ring{};
+  unsigned inside = 0;
+  for (unsigned i = 0; i < 4; ++i) {
+    ring[i] = levels[edge_ring(axis)[i] | (upper ? 1 << axis : 0)];
+    inside |= (ring[i] >= 0 ? 1U : 0U) << i;
+  }
+  if (is_ambiguous(inside)) return inside_is_joined(ring) == (ring[0] >= 0) ? 1 : -1;
+  return sign_of(levels, [&](const auto& f) {
+    const auto q = saddle_quadratic(f, axis);
+    return upper ? q.last : q.first;
+  });
+}
+
+/// Of the sides, the one whose two edges along the axis q's sign joins midway between its roots;
+/// none where the interpolant vanishes there altogether.
+std::optional<Side> joined_side(const CornerLevels& levels, int axis, int end_sign) {
+  const int edge = edge_ring(axis)[end_sign < 0 ? 0 : 1];
+  const int up = 1 << axis;
+  const int sign = sign_of(levels, [&](const auto& f) {
+    const auto q = saddle_quadratic(f, axis);
+    return f[edge] * (q.last + q.last - q.middle) + f[edge | up] * (q.first + q.first - q.middle);
+  });
+  if (sign == 0) return std::nullopt;
+  return sign == end_sign ? Side::inside : Side::outside;
+}
+
+/// Along each axis the roots of q, ascending, as shares of the cube's edge.
+std::array<std::array<double, 2>, 3> tunnel_roots(const CornerLevels& levels) {
+  const double largest = largest_of(levels);
+  CornerLevels scaled = levels;
+  for (double& level : scaled) level /= largest;
+  std::array<std::array<double, 2>, 3> roots{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const Quadratic<double> q = saddle_quadratic(scaled, axis);
+    const double first = std::abs(q.first);
+    const double last = std::abs(q.last);
+    const double reach =
+        std::abs(q.middle) + std::sqrt(std::max(0.0, q.middle * q.middle - 4 * q.first * q.last));
+    roots[axis] = {2 * first / (2 * first + reach), reach / (2 * last + reach)};
+  }
+  return roots;
+}
+
+/// That corner of the box between the roots which lies towards a corner of the cube.
+Vec3 box_corner(const std::array<std::array<double, 2>, 3>& roots, int corner) {
+  return {roots[0][corner & 1], roots[1][corner >> 1 & 1], roots[2][corner >> 2 & 1]};
+}
+
+double interpolate(const CornerLevels& levels, const Vec3& point) {
+  double sum = 0.0;
+  for (int c = 0; c < 8; ++c) {
+    double weight = 1.0;
+    for (int a = 0; a < 3; ++a) weight *= (c >> a & 1) != 0 ? point[a] : 1 - point[a];
+    sum += weight * levels[c];
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::optional<Side> interior_tunnel(const CornerLevels& levels) {
+  std::array<int, 3> end_sign{};
+  for (int axis = 0; axis < 3; ++axis) {
+    end_sign[axis] = sign_on_face(levels, axis, false);
+    if (end_sign[axis] == 0 || sign_on_face(levels, axis, true) != end_sign[axis])
+      return std::nullopt;
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const int middle =
+        sign_of(levels, [&](const auto& f) { return saddle_quadratic(f, axis).middle; });
+    if (middle != -end_sign[axis]) return std::nullopt;
+  }
+  const int discriminant = sign_of(levels, [](const auto& f) {
+    const auto q = saddle_quadratic(f, 0);
+    const auto product = q.first * q.last;
+    const auto twice = product + product;
+    return q.middle * q.middle - (twice + twice);
+  });
+  if (discriminant < 0) return std::nullopt;
+  const std::optional<Side> side = joined_side(levels, 0, end_sign[0]);
+  return discriminant == 0 && side == Side::inside ? std::nullopt : side;
+}
+
+std::optional<int> tunnel_hub(const CubeCut& cut, const CornerLevels& levels) {
+  if (cut.hubs.count == 0) return std::nullopt;
+  const std::optional<Side> side = interior_tunnel(levels);
+  if (!side) return std::nullopt;
+  std::optional<int> found;
+  double largest = -1.0;
+  for (const int hub : cut.hubs) {
+    if ((levels[hub] >= 0) != (*side == Side::inside)) continue;
+    const double here = std::abs(interpolate(levels, box_corner(tunnel_roots(levels), hub)));
+    if (here <= largest) continue;
+    largest = here;
+    found = hub;
+  }
+  return found;
+}
+
+std::array<Vec3, ring_size> tunnel_ring(const CornerLevels& levels, int hub, double least_share) {
+  auto roots = tunnel_roots(levels);
+  for (auto& [low, high] : roots) {
+    const double middle = std::clamp((low + high) / 2, 2 * least_share, 1 - 2 * least_share);
+    low = std::clamp(low, least_share, middle - least_share);
+    high = std::clamp(high, middle + least_share, 1 - least_share);
+  }
+  std::array<Vec3, ring_size> ring{};
+  for (int a = 0; a < ring_size; ++a) ring[a] = box_corner(roots, hub ^ 1 << a);
+  return ring;
+}
+
+}  // namespace isoloop
