@@ -16,7 +16,7 @@ namespace {
 constexpr auto no_turn = static_cast<std::uint32_t>(-1);
 
 /// For a vertex of M: the class picked up on the way from the first cube round its grid edge to
-/// each of the four, on both sides at once.
+/// each of the four, up to its wall if it has one, on both sides at once.
 struct Turn {
   std::array<std::uint32_t, 4> cubes{};
   std::array<std::uint32_t, 4> labels{};
@@ -33,31 +33,59 @@ bool any_label(const GridComplex& complex, const DualPass& pass, std::uint32_t g
                      [&](std::uint32_t piece) { return pass.labels[piece] != 0; });
 }
 
+/// The labels of one side's pieces as numbers in the common pool.
+class ImportedLabels {
+ public:
+  /// The generators' numbers are shifted by `shift`.
+  ImportedLabels(const DualPass& pass, std::uint32_t shift, LabelPool& to)
+      : pass_(pass), number_(pass.pool.count()) {
+    for (std::uint32_t label = 0; label < pass.pool.count(); ++label) {
+      const auto generators = pass.pool.generators(label);
+      GeneratorSet shifted(generators.begin(), generators.end());
+      for (std::uint32_t& generator : shifted) generator += shift;
+      number_[label] = to.intern(shifted);
+    }
+  }
+
+  std::uint32_t of(std::uint32_t piece) const {
+    return piece == GridComplex::none ? 0 : number_[pass_.labels[piece]];
+  }
+
+ private:
+  const DualPass& pass_;
+  std::vector<std::uint32_t> number_;  // by label of the pass
+};
+
+/// A side and its labels.
+struct LabelledSide {
+  const GridComplex& complex;
+  const DualPass& pass;
+  ImportedLabels labels;
+};
+
 class Turns {
  public:
-  /// Numbers of the inside's labels stay; the outside's are shifted by `classes.inside_rank`.
-  Turns(const Surface& surface, const GridComplex& inside, const DualPass& inside_pass,
-        const GridComplex& outside, const DualPass& outside_pass, SurfaceClasses& classes)
+  Turns(const Surface& surface, const std::array<LabelledSide, 2>& sides, LabelPool& pool)
       : number_(surface.points.size(), no_turn) {
-    tbb::parallel_for(std::size_t{0}, number_.size(), [&](std::size_t v) {
+    tbb::parallel_for(std::size_t{0}, surface.grid_edges.size(), [&](std::size_t v) {
       const std::uint32_t edge = surface.grid_edges[v];
-      if (any_label(inside, inside_pass, edge) || any_label(outside, outside_pass, edge))
+      if (any_label(sides[0].complex, sides[0].pass, edge) ||
+          any_label(sides[1].complex, sides[1].pass, edge))
         number_[v] = 0;
     });
-    const std::vector<std::uint32_t> of_inside = import(inside_pass.pool, 0, classes.pool);
-    const std::vector<std::uint32_t> of_outside =
-        import(outside_pass.pool, classes.inside_rank, classes.pool);
     for (std::size_t v = 0; v < number_.size(); ++v) {
       if (number_[v] == no_turn) continue;
       number_[v] = static_cast<std::uint32_t>(turns_.size());
-      const auto in = inside.cut_ring(surface.grid_edges[v]);
-      const auto out = outside.cut_ring(surface.grid_edges[v]);
-      Turn turn{in.cubes, {}};
-      for (std::size_t i = 1; i < 4; ++i) {
-        const std::uint32_t passed =
-            classes.pool.sum(of_inside[inside_pass.labels[in.pieces[i]]],
-                             of_outside[outside_pass.labels[out.pieces[i]]]);
-        turn.labels[i] = classes.pool.sum(turn.labels[i - 1], passed);
+      Turn turn;
+      for (const LabelledSide& side : sides) {
+        const auto ring = side.complex.cut_ring(surface.grid_edges[v]);
+        turn.cubes = ring.cubes;
+        std::uint32_t passed = 0;
+        for (std::size_t i = 1; i < 4; ++i) {
+          passed = pool.sum(
+              passed, pool.sum(side.labels.of(ring.walls[i - 1]), side.labels.of(ring.pieces[i])));
+          turn.labels[i] = pool.sum(turn.labels[i], passed);
+        }
       }
       turns_.push_back(turn);
     }
@@ -68,18 +96,6 @@ class Turns {
   }
 
  private:
-  static std::vector<std::uint32_t> import(const LabelPool& from, std::uint32_t shift,
-                                           LabelPool& to) {
-    std::vector<std::uint32_t> number(from.count());
-    for (std::uint32_t label = 0; label < from.count(); ++label) {
-      const auto generators = from.generators(label);
-      GeneratorSet shifted(generators.begin(), generators.end());
-      for (std::uint32_t& generator : shifted) generator += shift;
-      number[label] = to.intern(shifted);
-    }
-    return number;
-  }
-
   std::vector<std::uint32_t> number_;  // by vertex of M: its place in turns_, or no_turn
   std::vector<Turn> turns_;
 };
@@ -94,6 +110,24 @@ std::uint32_t edge_between(const EdgeGraph& graph, std::uint32_t from, std::uint
   return found;
 }
 
+/// A triangle's corner beyond a wall is one turn farther: adds the wall's label to both edges
+/// there.
+void pass_walls(const Surface& surface, const LabelledSide& side, SurfaceClasses& classes) {
+  const auto& cubes = surface.triangle_cubes;
+  for (const GridComplex::Beyond& beyond : side.complex.beyond_walls()) {
+    const std::uint32_t label = side.labels.of(beyond.piece);
+    if (label == 0) continue;
+    const auto first = std::lower_bound(cubes.begin(), cubes.end(), beyond.cube) - cubes.begin();
+    const auto& corners = surface.triangles[static_cast<std::size_t>(first) + beyond.at.triangle];
+    for (const int i : {0, 2}) {
+      const std::uint32_t from = corners[(beyond.at.corner + i) % 3];
+      const std::uint32_t to = corners[(beyond.at.corner + i + 1) % 3];
+      std::uint32_t& sum = classes.of_edge[edge_between(surface.graph, from, to)];
+      sum = classes.pool.sum(sum, label);
+    }
+  }
+}
+
 }  // namespace
 
 SurfaceClasses surface_classes(const Surface& surface, const GridComplex& inside,
@@ -103,7 +137,11 @@ SurfaceClasses surface_classes(const Surface& surface, const GridComplex& inside
   classes.inside_rank = static_cast<std::uint32_t>(inside_pass.killing.size());
   classes.outside_rank = static_cast<std::uint32_t>(outside_pass.killing.size());
   classes.of_edge.resize(surface.graph.lengths.size());
-  const Turns turns(surface, inside, inside_pass, outside, outside_pass, classes);
+  const std::array<LabelledSide, 2> sides{
+      LabelledSide{inside, inside_pass, ImportedLabels(inside_pass, 0, classes.pool)},
+      LabelledSide{outside, outside_pass,
+                   ImportedLabels(outside_pass, classes.inside_rank, classes.pool)}};
+  const Turns turns(surface, sides, classes.pool);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const auto& corners = surface.triangles[t];
     std::array<std::uint32_t, 3> into{};
@@ -114,6 +152,7 @@ SurfaceClasses surface_classes(const Surface& surface, const GridComplex& inside
       classes.of_edge[edge_between(surface.graph, corners[i], corners[(i + 1) % 3])] = label;
     }
   }
+  for (const LabelledSide& side : sides) pass_walls(surface, side, classes);
   return classes;
 }
 

@@ -33,10 +33,16 @@ using AnyGridView =
 /// Which voxels belong to I, the solid: those with f >= iso, or those with f <= iso.
 enum class InsideRule { above, below };
 
+/// How M runs within the cubes between voxels. trilinear: it has the topology of the trilinear
+/// interpolant's iso-surface. simple: a cube's parts are those of its surface, and all are balls.
+/// Both cut the cubes' faces as the bilinear interpolant does.
+enum class Topology { simple, trilinear };
+
 /// Where the solid's border runs. f = iso is inside under both rules.
 struct IsoLevel {
   double iso = 0.0;  // unit of the voxel values
   InsideRule inside = InsideRule::above;
+  Topology topology = Topology::simple;
 };
 
 }  // namespace isoloop

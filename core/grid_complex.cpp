@@ -1,8 +1,11 @@
 #include "core/grid_complex.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include <tbb/parallel_for.h>
+
+#include "core/surface.h"
 
 namespace isoloop {
 namespace {
@@ -16,6 +19,20 @@ std::uint32_t position_in(const std::vector<std::uint32_t>& sorted, std::uint32_
 bool face_exists(const Lattice& lattice, const std::array<std::uint32_t, 3>& p, int axis) {
   const auto [b, c] = cross_axes(axis);
   return p[b] + 1 < lattice.dims[b] && p[c] + 1 < lattice.dims[c];
+}
+
+std::uint32_t corner_of(const Lattice& lattice, std::uint32_t cube, int corner) {
+  for (int a = 0; a < 3; ++a) cube += (corner >> a & 1) * lattice.stride[a];
+  return cube;
+}
+
+/// The cubes round an edge, by lowest corner, in the order of GridComplex::face_pieces().
+std::array<std::uint32_t, 4> cubes_round(const Lattice& lattice, std::uint32_t edge) {
+  const std::uint32_t v = edge / 3;
+  const auto [b, c] = cross_axes(static_cast<int>(edge % 3));
+  const std::uint32_t db = lattice.stride[b];
+  const std::uint32_t dc = lattice.stride[c];
+  return {v, v - db, v - db - dc, v - dc};
 }
 
 /// Collects, in ascending order, what visit(vertex, position, sink) emits for every vertex.
@@ -64,10 +81,29 @@ GridComplex::GridComplex(const Sides& sides, const EdgeIndex& edges, const EdgeS
     first_extra_cell_.push_back(extra_cells_);
     extra_cells_ += cut_at(sides, cube).cell_count[static_cast<int>(side)] - 1U;
   }
+  build_walls();
+}
+
+void GridComplex::build_walls() {
+  first_wall_ = edge_bound() + static_cast<std::uint32_t>(split_faces_.size());
+  for (std::uint32_t t = 0; t < sides_.tunnels.size(); ++t) {
+    const Sides::Tunnel& tunnel = sides_.tunnels[t];
+    if (joined_side(sides_, tunnel) == side_) continue;
+    for (const std::uint8_t edge : cut_at(sides_, tunnel).wall.edges)
+      wall_edges_.push_back({lattice_edge(sides_.lattice, tunnel.cube, edge), tunnel.cube,
+                             first_wall_ + static_cast<std::uint32_t>(walls_.size())});
+    walls_.push_back(t);
+  }
+  if (walls_.empty()) return;
+  std::sort(wall_edges_.begin(), wall_edges_.end(), [](const WallEdge& a, const WallEdge& b) {
+    return std::tie(a.edge, a.cube) < std::tie(b.edge, b.cube);
+  });
+  has_wall_edge_.resize(sides_.lattice.vertex_count());
+  for (const WallEdge& on_wall : wall_edges_) has_wall_edge_[on_wall.edge / 3] = true;
 }
 
 std::uint32_t GridComplex::piece_bound() const {
-  return edge_bound() + static_cast<std::uint32_t>(split_faces_.size());
+  return first_wall_ + static_cast<std::uint32_t>(walls_.size());
 }
 
 std::uint32_t GridComplex::cell_bound() const {
@@ -141,6 +177,10 @@ float GridComplex::edge_size(std::uint32_t edge) const {
 }
 
 std::array<std::uint32_t, 2> GridComplex::cells_near_surface(std::uint32_t piece) const {
+  if (is_wall(piece)) {
+    const std::uint32_t cell = cell_at(tunnel_of(piece).cube, corners(piece)[0]);
+    return {cell, cell};
+  }
   const Piece p = describe(piece);
   const auto face_corner = face_corners(p.face);
   unsigned i = 0;
@@ -156,15 +196,21 @@ std::array<std::uint32_t, 2> GridComplex::cells_near_surface(std::uint32_t piece
 }
 
 ShortList<std::uint32_t, 4> GridComplex::edges_near_surface(std::uint32_t piece) const {
+  ShortList<std::uint32_t, 4> list;
+  if (is_wall(piece)) {
+    const Sides::Tunnel& tunnel = tunnel_of(piece);
+    for (const std::uint8_t edge : cut_at(sides_, tunnel).wall.edges)
+      list.push_back(lattice_edge(sides_.lattice, tunnel.cube, edge));
+    return list;
+  }
   const Piece p = describe(piece);
   const auto around = face_edges(p.face);
-  ShortList<std::uint32_t, 4> list;
   for (unsigned i = 0; i < 4; ++i)
     if ((p.ring >> i & 1U) != 0 || (p.ring >> ((i + 1) & 3U) & 1U) != 0) list.push_back(around[i]);
   return list;
 }
 
-ShortList<std::uint32_t, 4> GridComplex::ring_near_surface(std::uint32_t edge) const {
+std::array<std::uint32_t, 4> GridComplex::face_pieces(std::uint32_t edge) const {
   const std::uint32_t v = edge / 3;
   const int a = static_cast<int>(edge % 3);
   const auto [b, c] = cross_axes(a);
@@ -177,29 +223,66 @@ ShortList<std::uint32_t, 4> GridComplex::ring_near_surface(std::uint32_t edge) c
     const auto p = lattice.position(v);
     there = {p[b] + 1 < lattice.dims[b], p[c] + 1 < lattice.dims[c], p[b] > 0, p[c] > 0};
   }
-  ShortList<std::uint32_t, 4> list;
-  if (there[0]) list.push_back(piece_at(3 * v + uc, corner));
-  if (there[1]) list.push_back(piece_at(3 * v + ub, corner));
-  if (there[2]) list.push_back(piece_at(3 * (v - lattice.stride[b]) + uc, corner));
-  if (there[3]) list.push_back(piece_at(3 * (v - lattice.stride[c]) + ub, corner));
+  return {there[0] ? piece_at(3 * v + uc, corner) : none,
+          there[1] ? piece_at(3 * v + ub, corner) : none,
+          there[2] ? piece_at(3 * (v - lattice.stride[b]) + uc, corner) : none,
+          there[3] ? piece_at(3 * (v - lattice.stride[c]) + ub, corner) : none};
+}
+
+std::array<std::uint32_t, 4> GridComplex::walls_at(std::uint32_t edge) const {
+  std::array<std::uint32_t, 4> walls{none, none, none, none};
+  if (has_wall_edge_.empty() || !has_wall_edge_[edge / 3]) return walls;
+  const auto cubes = cubes_round(sides_.lattice, edge);
+  auto at = std::lower_bound(
+      wall_edges_.begin(), wall_edges_.end(), edge,
+      [](const WallEdge& on_wall, std::uint32_t wanted) { return on_wall.edge < wanted; });
+  for (; at != wall_edges_.end() && at->edge == edge; ++at)
+    walls[static_cast<std::size_t>(std::find(cubes.begin(), cubes.end(), at->cube) -
+                                   cubes.begin())] = at->piece;
+  return walls;
+}
+
+ShortList<std::uint32_t, 8> GridComplex::ring_near_surface(std::uint32_t edge) const {
+  const auto pieces = face_pieces(edge);
+  const auto walls = walls_at(edge);
+  ShortList<std::uint32_t, 8> list;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (pieces[i] != none) list.push_back(pieces[i]);
+    if (walls[i] != none) list.push_back(walls[i]);
+  }
   return list;
 }
 
 GridComplex::CutRing GridComplex::cut_ring(std::uint32_t edge) const {
-  const std::uint32_t v = edge / 3;
-  const auto [b, c] = cross_axes(static_cast<int>(edge % 3));
-  const std::uint32_t db = sides_.lattice.stride[b];
-  const std::uint32_t dc = sides_.lattice.stride[c];
-  return {ring(edge).items, {v, v - db, v - db - dc, v - dc}};
+  return {face_pieces(edge), cubes_round(sides_.lattice, edge), walls_at(edge)};
+}
+
+std::vector<GridComplex::Beyond> GridComplex::beyond_walls() const {
+  std::vector<Beyond> all;
+  for (std::uint32_t piece = first_wall_; piece < piece_bound(); ++piece) {
+    const Sides::Tunnel& tunnel = tunnel_of(piece);
+    for (const CubeWall::TriangleCorner& at : cut_at(sides_, tunnel).wall.beyond)
+      all.push_back({piece, tunnel.cube, at});
+  }
+  return all;
 }
 
 ShortList<std::array<std::uint32_t, 2>, 2> GridComplex::segments(std::uint32_t piece) const {
+  ShortList<std::array<std::uint32_t, 2>, 2> list;
+  if (is_wall(piece)) {
+    const Sides::Tunnel& tunnel = tunnel_of(piece);
+    const auto& [from, middle, to] = cut_at(sides_, tunnel).wall.on_m;
+    const std::uint32_t on_ring =
+        ring_vertex(edges_, walls_[piece - first_wall_], middle - first_ring_vertex);
+    for (const std::uint8_t end : {from, to})
+      list.push_back({edges_.vertex_on(lattice_edge(sides_.lattice, tunnel.cube, end)), on_ring});
+    return list;
+  }
   const Piece p = describe(piece);
   const unsigned inside = side_ == Side::inside ? p.on_side : ~p.on_side & 15U;
   const bool joined = (sides_.cubes[p.face / 3] >> (p.face % 3) & Sides::lower_face_joined) != 0;
   const FaceCut cut = face_cut(inside, joined);
   const auto around = face_edges(p.face);
-  ShortList<std::array<std::uint32_t, 2>, 2> list;
   for (int s = 0; s < cut.segment_count; ++s) {
     const auto [from, to] = cut.segments[s];
     // The end of a cut edge on this side: the corner that the segment's piece holds.
@@ -211,9 +294,15 @@ ShortList<std::array<std::uint32_t, 2>, 2> GridComplex::segments(std::uint32_t p
 }
 
 ShortList<std::uint32_t, 4> GridComplex::corners(std::uint32_t piece) const {
+  ShortList<std::uint32_t, 4> list;
+  if (is_wall(piece)) {
+    const Sides::Tunnel& tunnel = tunnel_of(piece);
+    for (const std::uint8_t corner : cut_at(sides_, tunnel).wall.corners)
+      list.push_back(corner_of(sides_.lattice, tunnel.cube, corner));
+    return list;
+  }
   const Piece p = describe(piece);
   const auto corners = face_corners(p.face);
-  ShortList<std::uint32_t, 4> list;
   for (unsigned i = 0; i < 4; ++i)
     if ((p.ring >> i & 1U) != 0) list.push_back(corners[i]);
   return list;

@@ -14,7 +14,8 @@
 namespace isoloop {
 
 /// Cells and pieces of one side. Numbers (see Lattice): a face's first piece has the face's number,
-/// its second piece (the part at the later corner, where M separates two) comes after all faces; a
+/// its second piece (the part at the later corner, where M separates two) comes after all faces;
+/// then come the walls, the pieces within cubes across the tori that tunnels leave (CubeWall); a
 /// cube's first cell has the cube's number, further cells come after all cubes. One more cell,
 /// last, is all that lies beyond the box on this side; M keeps the inside from it unless the
 /// boundary is open. An interior edge, full or cut, has the number of its grid edge.
@@ -38,15 +39,27 @@ class GridComplex {
   float edge_size(std::uint32_t edge) const;  // of an interior edge, or of its half on this side
   std::array<std::uint32_t, 2> cells(std::uint32_t piece) const;
   ShortList<std::uint32_t, 4> edges_of(std::uint32_t piece) const;
-  ShortList<std::uint32_t, 4> ring(std::uint32_t edge) const;
+  ShortList<std::uint32_t, 8> ring(std::uint32_t edge) const;  // in cyclic order
 
-  /// The four pieces round the half of a cut edge on this side, in cyclic order, and the lowest
-  /// corners of the cubes between them: cube i lies between pieces i and i + 1.
+  /// The four pieces of faces round the half of a cut edge on this side, in cyclic order, and the
+  /// lowest corners of the cubes between them: cube i lies between pieces i and i + 1. A wall that
+  /// ends at the edge within cube i parts it further.
   struct CutRing {
     std::array<std::uint32_t, 4> pieces;
     std::array<std::uint32_t, 4> cubes;
+    std::array<std::uint32_t, 4> walls;  // or none
   };
+  static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
   CutRing cut_ring(std::uint32_t edge) const;
+
+  /// Where triangles of M meet a wall at one of its vertices from beyond it: after the wall in the
+  /// order of the cut ring, or in one of the two sectors at a vertex within the cube.
+  struct Beyond {
+    std::uint32_t piece;  // the wall
+    std::uint32_t cube;
+    CubeWall::TriangleCorner at;  // a corner of that triangle among the cube's own
+  };
+  std::vector<Beyond> beyond_walls() const;
 
   /// The segments of M on the piece's border, as pairs of vertices of M.
   ShortList<std::array<std::uint32_t, 2>, 2> segments(std::uint32_t piece) const;
@@ -67,11 +80,28 @@ class GridComplex {
   float size_near_surface(std::uint32_t piece) const;
   std::array<std::uint32_t, 2> cells_near_surface(std::uint32_t piece) const;
   ShortList<std::uint32_t, 4> edges_near_surface(std::uint32_t piece) const;
-  ShortList<std::uint32_t, 4> ring_near_surface(std::uint32_t edge) const;
+  ShortList<std::uint32_t, 8> ring_near_surface(std::uint32_t edge) const;
 
   bool on_border(std::uint32_t vertex) const {
     return (sides_.cubes[vertex] & Sides::on_border) != 0;
   }
+
+  struct WallEdge {
+    std::uint32_t edge;
+    std::uint32_t cube;
+    std::uint32_t piece;
+  };
+
+  void build_walls();
+  bool is_wall(std::uint32_t piece) const { return piece >= first_wall_; }
+  const Sides::Tunnel& tunnel_of(std::uint32_t wall) const {
+    return sides_.tunnels[walls_[wall - first_wall_]];
+  }
+  bool has_wall_edge(std::uint32_t vertex) const {
+    return !has_wall_edge_.empty() && has_wall_edge_[vertex];
+  }
+  std::array<std::uint32_t, 4> face_pieces(std::uint32_t edge) const;
+  std::array<std::uint32_t, 4> walls_at(std::uint32_t edge) const;
   std::array<std::uint32_t, 4> face_corners(std::uint32_t face) const;
   std::array<std::uint32_t, 4> face_edges(std::uint32_t face) const;
   unsigned corners_on_side(std::uint32_t face) const;
@@ -89,6 +119,10 @@ class GridComplex {
   std::vector<std::uint32_t> many_celled_;       // cubes with more than one cell here; ascending
   std::vector<std::uint32_t> first_extra_cell_;  // of each of them, after all cubes
   std::uint32_t extra_cells_ = 0;
+  std::uint32_t first_wall_ = 0;      // piece number
+  std::vector<std::uint32_t> walls_;  // numbers in Sides::tunnels, ascending
+  std::vector<WallEdge> wall_edges_;  // on the walls' borders; ascending by edge, then cube
+  std::vector<bool> has_wall_edge_;   // by lowest vertex of the edge; empty without walls
 };
 
 inline std::array<std::uint32_t, 4> GridComplex::face_corners(std::uint32_t face) const {
@@ -120,7 +154,7 @@ template <class Visit>
 void GridComplex::for_each_piece(std::uint32_t layer, const Visit& visit) const {
   const auto& [nx, ny, nz] = sides_.lattice.dims;
   if (layer == nz) {
-    for (std::uint32_t i = 0; i < split_faces_.size(); ++i) visit(edge_bound() + i);
+    for (std::uint32_t piece = edge_bound(); piece < piece_bound(); ++piece) visit(piece);
     return;
   }
   std::uint32_t v = sides_.lattice.vertex(0, 0, layer);
@@ -170,9 +204,9 @@ inline ShortList<std::uint32_t, 4> GridComplex::edges_of(std::uint32_t piece) co
   return {face_edges(piece), 4};
 }
 
-inline ShortList<std::uint32_t, 4> GridComplex::ring(std::uint32_t edge) const {
+inline ShortList<std::uint32_t, 8> GridComplex::ring(std::uint32_t edge) const {
   const std::uint32_t v = edge / 3;
-  if (on_border(v)) return ring_near_surface(edge);
+  if (on_border(v) || has_wall_edge(v)) return ring_near_surface(edge);
   const auto [b, c] = cross_axes(static_cast<int>(edge % 3));
   const std::uint32_t before_b = v - sides_.lattice.stride[b];
   const std::uint32_t before_c = v - sides_.lattice.stride[c];

@@ -46,4 +46,13 @@ inline Lattice make_lattice(const Index3& first, const std::array<std::uint32_t,
 /// The two axes across `axis`, in cyclic order.
 constexpr std::array<int, 2> cross_axes(int axis) { return {(axis + 1) % 3, (axis + 2) % 3}; }
 
+/// Number of the lattice edge that is edge `cube_edge` (see core/cube.h) of the cube at `vertex`.
+inline std::uint32_t lattice_edge(const Lattice& lattice, std::uint32_t vertex, int cube_edge) {
+  const auto axis = static_cast<std::uint32_t>(cube_edge / 4);
+  const auto [b, c] = cross_axes(cube_edge / 4);
+  const std::uint32_t base =
+      vertex + (cube_edge & 1) * lattice.stride[b] + (cube_edge >> 1 & 1) * lattice.stride[c];
+  return 3 * base + axis;
+}
+
 }  // namespace isoloop

@@ -1,10 +1,9 @@
 #include "core/sides.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
-#include <mutex>
+#include <optional>
 #include <string>
 #include <type_traits>
 
@@ -12,6 +11,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
+#include "core/cube_interior.h"
 #include "core/errors.h"
 #include "core/level.h"
 
@@ -175,9 +175,20 @@ void mark_far_faces(const FaceBits& faces, const std::array<std::uint32_t, 3>& p
   }
 }
 
+/// The cube's cut without a tunnel has room for one only where all its corners lie in the grid.
+template <class T>
+std::optional<int> find_hub(const GridView<T>& grid, const IsoLevel& level, const Lattice& lattice,
+                            const std::array<std::uint32_t, 3>& p, const CubeCut& cut) {
+  if (level.topology == Topology::simple || cut.hubs.count == 0) return std::nullopt;
+  Index3 lowest{};
+  for (int a = 0; a < 3; ++a) lowest[a] = lattice.first[a] + p[a];
+  return tunnel_hub(cut, corner_levels(grid, level, lowest));
+}
+
 template <class T>
 void mark_cubes(const GridView<T>& grid, const IsoLevel& level, Sides& sides) {
   const Lattice& lattice = sides.lattice;
+  std::vector<std::vector<Sides::Tunnel>> tunnels(lattice.dims[2]);
   tbb::parallel_for(std::uint32_t{0}, lattice.dims[2] - 1, [&](std::uint32_t z) {
     for (std::uint32_t y = 0; y + 1 < lattice.dims[1]; ++y)
       for (std::uint32_t x = 0; x + 1 < lattice.dims[0]; ++x) {
@@ -189,13 +200,19 @@ void mark_cubes(const GridView<T>& grid, const IsoLevel& level, Sides& sides) {
         for (int a = 0; a < 3; ++a)
           flags |= (faces.joined >> (2 * a) & 1U) * Sides::lower_face_joined << a;
         if ((faces.ambiguous & 0b010101U) != 0) flags |= Sides::has_ambiguous_face;
-        const CubeCut& cut = cube_cut(corners, static_cast<std::uint8_t>(faces.joined), false);
+        const auto joined = static_cast<std::uint8_t>(faces.joined);
+        const CubeCut& plain = cube_cut(corners, joined, false);
+        const std::optional<int> hub = find_hub(grid, level, lattice, {x, y, z}, plain);
+        if (hub) tunnels[z].push_back({v, static_cast<std::uint8_t>(*hub)});
+        const CubeCut& cut = hub ? tunnel_cut(corners, joined, false, *hub).cut : plain;
         if (cut.cell_count[0] > 1) flags |= Sides::many_outside_cells;
         if (cut.cell_count[1] > 1) flags |= Sides::many_inside_cells;
         sides.cubes[v] |= static_cast<std::uint8_t>(flags);
         mark_far_faces(faces, {x, y, z}, sides);
       }
   });
+  for (const auto& layer : tunnels)
+    sides.tunnels.insert(sides.tunnels.end(), layer.begin(), layer.end());
 }
 
 void mark_border(Sides& sides) {
@@ -264,11 +281,36 @@ std::uint8_t joined_faces(const Sides& sides, std::uint32_t vertex) {
   return static_cast<std::uint8_t>(joined);
 }
 
-const CubeCut& cut_at(const Sides& sides, std::uint32_t vertex) {
+namespace {
+
+bool is_odd(const Sides& sides, std::uint32_t vertex) {
   const auto p = sides.lattice.position(vertex);
   std::int64_t sum = 0;
   for (int a = 0; a < 3; ++a) sum += sides.lattice.first[a] + p[a];
-  return cube_cut(inside_corners(sides, vertex), joined_faces(sides, vertex), (sum & 1) != 0);
+  return (sum & 1) != 0;
+}
+
+}  // namespace
+
+const CubeCut& cut_at(const Sides& sides, std::uint32_t vertex) {
+  const CubeCut& plain =
+      cube_cut(inside_corners(sides, vertex), joined_faces(sides, vertex), is_odd(sides, vertex));
+  if (plain.hubs.count == 0) return plain;
+  const std::size_t tunnel = tunnel_in(sides, vertex);
+  return tunnel == sides.tunnels.size() ? plain : cut_at(sides, sides.tunnels[tunnel]).cut;
+}
+
+const TunnelCut& cut_at(const Sides& sides, const Sides::Tunnel& tunnel) {
+  return tunnel_cut(inside_corners(sides, tunnel.cube), joined_faces(sides, tunnel.cube),
+                    is_odd(sides, tunnel.cube), tunnel.hub);
+}
+
+std::size_t tunnel_in(const Sides& sides, std::uint32_t vertex) {
+  const auto at = std::lower_bound(
+      sides.tunnels.begin(), sides.tunnels.end(), vertex,
+      [](const Sides::Tunnel& tunnel, std::uint32_t cube) { return tunnel.cube < cube; });
+  const bool found = at != sides.tunnels.end() && at->cube == vertex;
+  return static_cast<std::size_t>((found ? at : sides.tunnels.end()) - sides.tunnels.begin());
 }
 
 }  // namespace isoloop

@@ -1,5 +1,5 @@
-// Which side of M each grid vertex lies on, and how the ambiguous faces are decided: all that the
-// combinatorics of M and K depend on.
+// Which side of M each grid vertex lies on, how the ambiguous faces are decided and where a cube
+// has an interior tunnel: all that the combinatorics of M and K depend on.
 #pragma once
 
 #include <cstdint>
@@ -20,10 +20,19 @@ enum class Boundary { closed, open };
 /// around it, which an open boundary clips to the grid. Beyond it each side is one cell. Empty (all
 /// dims 0) where no voxel is inside.
 struct Sides {
+  /// A cube within which a tunnel of M joins two cells of the hub's side (see TunnelCut).
+  struct Tunnel {
+    std::uint32_t cube;
+    std::uint8_t hub;
+
+    friend bool operator==(const Tunnel& a, const Tunnel& b) = default;
+  };
+
   Lattice lattice;
   Boundary boundary = Boundary::closed;
   std::vector<std::uint8_t> inside;  // 1 for each lattice vertex in I, else 0
   std::vector<std::uint8_t> cubes;   // by lowest corner: Flag bits
+  std::vector<Tunnel> tunnels;       // ascending by cube
 
   enum Flag : std::uint8_t {
     lower_face_joined = 1,  // shifted by the axis: the face with this lowest corner and that normal
@@ -40,9 +49,10 @@ struct Sides {
   }
 };
 
-/// Decides every voxel (f = iso is inside) and every ambiguous face. Infinite values count as very
-/// large ones. Throws InvalidInput where a voxel is NaN, InvalidArgument for an empty grid, a NaN
-/// iso, and one voxel along an axis with an open boundary, LimitExceeded over max_lattice_vertices.
+/// Decides every voxel (f = iso is inside), every ambiguous face and, for Topology::trilinear,
+/// every interior tunnel. Infinite values count as very large ones. Throws InvalidInput where a
+/// voxel is NaN, InvalidArgument for an empty grid, a NaN iso, and one voxel along an axis with an
+/// open boundary, LimitExceeded over max_lattice_vertices.
 Sides classify(const AnyGridView& grid, const IsoLevel& level,
                Boundary boundary = Boundary::closed);
 
@@ -54,5 +64,16 @@ std::uint8_t joined_faces(const Sides& sides, std::uint32_t vertex);
 
 /// How M cuts the cube with lowest corner `vertex`.
 const CubeCut& cut_at(const Sides& sides, std::uint32_t vertex);
+
+/// The same for a cube with a tunnel, one of sides.tunnels.
+const TunnelCut& cut_at(const Sides& sides, const Sides::Tunnel& tunnel);
+
+/// The number of the cube's tunnel in sides.tunnels; their number if it has none.
+std::size_t tunnel_in(const Sides& sides, std::uint32_t vertex);
+
+/// The side whose cells the tunnel joins.
+inline Side joined_side(const Sides& sides, const Sides::Tunnel& tunnel) {
+  return (inside_corners(sides, tunnel.cube) >> tunnel.hub & 1) != 0 ? Side::inside : Side::outside;
+}
 
 }  // namespace isoloop

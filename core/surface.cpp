@@ -7,6 +7,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include "core/cube_interior.h"
 #include "core/disjoint_sets.h"
 #include "core/level.h"
 
@@ -48,13 +49,20 @@ void place_vertices(const GridView<T>& grid, const IsoLevel& level, const Sides&
   });
 }
 
-/// Number of the grid edge that is edge `cube_edge` of the cube at `vertex`.
-std::uint32_t grid_edge_of(const Lattice& lattice, std::uint32_t vertex, int cube_edge) {
-  const int axis = cube_edge / 4;
-  const auto [b, c] = cross_axes(axis);
-  const std::uint32_t base =
-      vertex + (cube_edge & 1) * lattice.stride[b] + (cube_edge >> 1 & 1) * lattice.stride[c];
-  return 3 * base + static_cast<std::uint32_t>(axis);
+template <class T>
+void place_rings(const GridView<T>& grid, const IsoLevel& level, const Sides& sides,
+                 const EdgeIndex& edges, Surface& surface) {
+  for (std::size_t t = 0; t < sides.tunnels.size(); ++t) {
+    const auto& [cube, hub] = sides.tunnels[t];
+    const auto p = sides.lattice.position(cube);
+    Index3 lowest{};
+    for (int a = 0; a < 3; ++a) lowest[a] = sides.lattice.first[a] + p[a];
+    const auto ring = tunnel_ring(corner_levels(grid, level, lowest), hub, least_share);
+    for (int i = 0; i < ring_size; ++i)
+      for (int a = 0; a < 3; ++a)
+        surface.points[ring_vertex(edges, t, i)][a] =
+            static_cast<float>(static_cast<double>(lowest[a]) + ring[i][a]);
+  }
 }
 
 /// Calls visit(cube, cut) for the cut cubes of one layer, in scan order.
@@ -82,10 +90,13 @@ void triangulate(const Sides& sides, const EdgeIndex& edges, Surface& surface) {
   tbb::parallel_for(std::uint32_t{0}, layers, [&](std::uint32_t z) {
     std::size_t next = first[z];
     for_each_cut_cube(sides, z, [&](std::uint32_t cube, const CubeCut& cut) {
+      const auto number = [&](int vertex) {
+        return vertex < first_ring_vertex
+                   ? edges.vertex_on(lattice_edge(sides.lattice, cube, vertex))
+                   : ring_vertex(edges, tunnel_in(sides, cube), vertex - first_ring_vertex);
+      };
       for (int t = 0; t < cut.triangle_count; ++t, ++next) {
-        for (int i = 0; i < 3; ++i)
-          surface.triangles[next][i] =
-              edges.vertex_on(grid_edge_of(sides.lattice, cube, cut.triangles[t][i]));
+        for (int i = 0; i < 3; ++i) surface.triangles[next][i] = number(cut.triangles[t][i]);
         surface.triangle_cubes[next] = cube;
       }
     });
@@ -102,7 +113,8 @@ std::vector<std::array<std::uint32_t, 2>> find_border(const Sides& sides, const 
     auto operator<=>(const Directed&) const = default;
   };
   const auto near_border = [&](std::uint32_t vertex) {
-    return (sides.cubes[surface.grid_edges[vertex] / 3] & Sides::on_border) != 0;
+    return vertex < surface.grid_edges.size() &&
+           (sides.cubes[surface.grid_edges[vertex] / 3] & Sides::on_border) != 0;
   };
   std::vector<Directed> found;
   for (const auto& triangle : surface.triangles)
@@ -179,8 +191,9 @@ void number_components(const Sides& sides, Surface& surface) {
     }
     surface.component_of_vertex[v] = component;
     ++surface.components[component].vertices;
+    if (v >= surface.grid_edges.size() || oriented[component] != 0) continue;
     const std::uint32_t edge = surface.grid_edges[v];
-    if (edge % 3 != 0 || oriented[component] != 0) continue;
+    if (edge % 3 != 0) continue;
     oriented[component] = 1;
     surface.components[component].bounds_cavity =
         sides.boundary == Boundary::closed && sides.is_on(Side::inside, edge / 3);
@@ -227,9 +240,13 @@ Surface extract_surface(const AnyGridView& grid, const IsoLevel& level, const Si
   surface.spacing = std::visit([](const auto& view) { return view.spacing; }, grid);
   surface.boundary = sides.boundary;
   if (sides.empty()) return surface;
-  surface.points.resize(edges.count());
+  surface.points.resize(ring_vertex(edges, sides.tunnels.size(), 0));
   surface.grid_edges.resize(edges.count());
-  std::visit([&](const auto& view) { place_vertices(view, level, sides, edges, surface); }, grid);
+  const auto place = [&](const auto& view) {
+    place_vertices(view, level, sides, edges, surface);
+    place_rings(view, level, sides, edges, surface);
+  };
+  std::visit(place, grid);
   triangulate(sides, edges, surface);
   surface.border_edges = find_border(sides, surface);
   if (with_graph) build_graph(surface);

@@ -27,16 +27,19 @@ struct SurfaceComponent {
 };
 
 struct Surface {
-  /// In voxel indices of the grid; each lies strictly within one grid edge. Numbered by EdgeIndex.
+  /// In voxel indices of the grid. First those that lie strictly within one grid edge each,
+  /// numbered by EdgeIndex; then, strictly within a cube each, the rings round tunnels
+  /// (ring_vertex()).
   std::vector<std::array<float, 3>> points;
-  /// The grid edge (Sides' lattice) that each vertex cuts.
+  /// The grid edge (Sides' lattice) that each of the first vertices cuts.
   std::vector<std::uint32_t> grid_edges;
   /// Corners in points, counter-clockwise seen from O. Each directed edge occurs once.
   std::vector<std::array<std::uint32_t, 3>> triangles;
   /// The cube of the lattice that holds each triangle; ascending.
   std::vector<std::uint32_t> triangle_cubes;
-  /// One patch of a cube is one polygon; its triangles are consecutive. Where M is closed,
-  /// points - polygons = -euler.
+  /// One patch of a cube that is a disc is one polygon; its triangles are consecutive. Where M is
+  /// closed, grid_edges - polygons = -euler: four segments on faces meet at each vertex on a grid
+  /// edge.
   std::int64_t polygons = 0;
   /// Edges of one triangle only, directed as in it; none where M is closed.
   std::vector<std::array<std::uint32_t, 2>> border_edges;
@@ -52,11 +55,17 @@ struct Surface {
   std::int64_t betti1() const;  // rank of H1(M): 2 genus() where M is closed
 };
 
+/// The number of vertex `first_ring_vertex + i` of the cut at sides.tunnels[tunnel].
+inline std::uint32_t ring_vertex(const EdgeIndex& edges, std::size_t tunnel, int i) {
+  return edges.count() + static_cast<std::uint32_t>(ring_size * tunnel) +
+         static_cast<std::uint32_t>(i);
+}
+
 /// Cuts the iso-surface out of `grid`. Combinatorics depend on `sides` alone; a vertex sits where
 /// linear interpolation puts it, kept in [1/1000, 999/1000] of its grid edge, and at 1/2 on edges
-/// that lead out of the grid. `sides` must come from classify(grid, level), `edges` from `sides`.
-/// Counts need no graph: without it Surface::graph stays empty.
-/// Throws LimitExceeded where vertices or triangle corners outgrow 32-bit indices.
+/// that lead out of the grid. The ring round a tunnel: see tunnel_ring(). `sides` must come from
+/// classify(grid, level), `edges` from `sides`. Counts need no graph: without it Surface::graph
+/// stays empty. Throws LimitExceeded where vertices or triangle corners outgrow 32-bit indices.
 Surface extract_surface(const AnyGridView& grid, const IsoLevel& level, const Sides& sides,
                         const EdgeIndex& edges, bool with_graph = true);
 

@@ -17,7 +17,7 @@ namespace {
 
 using testing::SmallVolume;
 
-constexpr IsoLevel zero_level{0.0, InsideRule::above};
+constexpr IsoLevel zero_level{0.0, InsideRule::above, Topology::trilinear};
 
 /// All that a report is made of, to the bit.
 std::string fingerprint(const Analysis& analysis) {
@@ -136,7 +136,8 @@ TEST_P(RealVolume, HasTheIndependentCount) {
   const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
   const std::vector<std::uint8_t> values(bytes.begin(), bytes.end());
   const Analysis analysis =
-      count_topology(GridView<std::uint8_t>{values, known.dims, {1, 1, 1}}, IsoLevel{known.iso});
+      count_topology(GridView<std::uint8_t>{values, known.dims, {1, 1, 1}},
+                     IsoLevel{known.iso, InsideRule::above, Topology::simple});
   EXPECT_EQ(static_cast<std::int64_t>(analysis.surface.points.size()), known.vertices);
   EXPECT_EQ(analysis.surface.polygons, known.polygons);
   EXPECT_EQ(analysis.surface.euler(), known.euler);

@@ -10,15 +10,14 @@
 #include "core/analysis.h"
 #include "core/betti.h"
 #include "core/sides.h"
+#include "tests/core_fixture.h"
 #include "tests/explicit_complex.h"
-#include "tests/random_volumes.h"
 
 namespace isoloop {
 namespace {
 
 using testing::SmallVolume;
-
-constexpr IsoLevel zero_level{0.0, InsideRule::above};
+using testing::zero_level;
 
 std::array<std::int64_t, 3> counted(const SmallVolume& volume) {
   const Betti betti = count_topology(volume.view(), zero_level).betti;
@@ -28,7 +27,8 @@ std::array<std::int64_t, 3> counted(const SmallVolume& volume) {
 std::array<std::int64_t, 3> by_ranks(const SmallVolume& volume) {
   const Sides sides = classify(volume.view(), zero_level);
   if (sides.empty()) return {0, 0, 0};
-  return oracle::betti_inside(oracle::build_complex(volume.values, volume.dims, sides.lattice));
+  return oracle::betti_inside(
+      oracle::build_complex(volume.values, volume.dims, sides.lattice, testing::walls_of(sides)));
 }
 
 /// Number of volumes that count differently.

@@ -24,7 +24,7 @@ double worst_excess(const testing::SmallVolume& volume, const Vec3& spacing) {
     for (int a = 0; a < 3; ++a)
       p[a] = (static_cast<double>(sides.lattice.first[a]) + at[a]) * spacing[a];
     double least = std::numeric_limits<double>::infinity();
-    for (std::uint32_t u = 0; u < surface.points.size(); ++u)
+    for (std::uint32_t u = 0; u < surface.grid_edges.size(); ++u)
       least = std::min(least, distance(p, scaled_point(surface, u)));
     worst = std::max(worst, distance(p, scaled_point(surface, closest[v])) - least);
   }

@@ -41,23 +41,35 @@ EdgeSet grid_edges(const oracle::ExplicitComplex& slow, const oracle::ExplicitCo
 std::string compare_with_oracle(const SmallVolume& volume, std::atomic<std::size_t>& compared) {
   const Prepared prepared(volume);
   if (prepared.surface.points.empty()) return "";
-  const oracle::ExplicitComplex slow =
-      oracle::build_complex(volume.values, volume.dims, prepared.sides.lattice);
+  const oracle::ExplicitComplex slow = oracle::build_complex(
+      volume.values, volume.dims, prepared.sides.lattice, testing::walls_of(prepared.sides));
   for (const Side side : {Side::inside, Side::outside}) {
     const GridComplex& complex = prepared.complex(side);
     const auto place = side == Side::inside ? oracle::ExplicitComplex::Place::inside
                                             : oracle::ExplicitComplex::Place::outside;
-    std::map<EdgeSet, int> face_of_edges;
+    // Walls in two neighbouring cubes may lie on the same grid edges: the cube tells which is
+    // which.
+    constexpr auto no_cube = static_cast<std::uint32_t>(-1);
+    std::map<std::uint32_t, std::uint32_t> cube_of_wall;
+    for (const GridComplex::Beyond& beyond : complex.beyond_walls())
+      cube_of_wall[beyond.piece] = beyond.cube;
+    std::map<std::pair<EdgeSet, std::uint32_t>, int> face_of_edges;
     for (std::size_t face = 0; face < slow.faces.size(); ++face)
-      if (slow.faces[face].place == place)
-        face_of_edges.emplace(grid_edges(slow, slow.faces[face]), static_cast<int>(face));
+      if (slow.faces[face].place == place) {
+        const auto wall = slow.cube_of_wall.find(static_cast<int>(face));
+        face_of_edges.emplace(std::pair(grid_edges(slow, slow.faces[face]),
+                                        wall == slow.cube_of_wall.end() ? no_cube : wall->second),
+                              static_cast<int>(face));
+      }
     std::vector<std::uint32_t> order = pieces_from_largest(complex);
     std::reverse(order.begin(), order.end());
     if (order.size() != face_of_edges.size()) return "the pieces differ in number";
     std::vector<int> faces;
     std::map<int, std::uint32_t> piece_of_face;
     for (const std::uint32_t piece : order) {
-      const auto found = face_of_edges.find(grid_edges(complex, piece));
+      const auto wall = cube_of_wall.find(piece);
+      const auto found = face_of_edges.find(
+          {grid_edges(complex, piece), wall == cube_of_wall.end() ? no_cube : wall->second});
       if (found == face_of_edges.end()) return "the oracle lacks a piece";
       faces.push_back(found->second);
       piece_of_face[found->second] = piece;

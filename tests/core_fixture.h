@@ -11,11 +11,28 @@
 #include "core/grid_complex.h"
 #include "core/sides.h"
 #include "core/surface.h"
+#include "tests/explicit_complex.h"
 #include "tests/random_volumes.h"
 
 namespace isoloop::testing {
 
-inline constexpr IsoLevel zero_level{0.0, InsideRule::above};
+inline constexpr IsoLevel zero_level{0.0, InsideRule::above, Topology::trilinear};
+
+/// The walls that core/ builds, for the complex written out in `box`, which holds that of `sides`.
+inline oracle::Walls walls_of(const Sides& sides, const Lattice& box) {
+  oracle::Walls walls;
+  for (const Sides::Tunnel& tunnel : sides.tunnels) {
+    auto p = sides.lattice.position(tunnel.cube);
+    for (int a = 0; a < 3; ++a)
+      p[a] += static_cast<std::uint32_t>(sides.lattice.first[a] - box.first[a]);
+    const std::uint32_t cube = box.vertex(p[0], p[1], p[2]);
+    for (const std::uint8_t edge : cut_at(sides, tunnel).wall.edges)
+      walls[cube].push_back(lattice_edge(box, cube, edge));
+  }
+  return walls;
+}
+
+inline oracle::Walls walls_of(const Sides& sides) { return walls_of(sides, sides.lattice); }
 
 /// Owns what GridComplex refers to; not to be moved.
 struct Prepared {

@@ -55,7 +55,7 @@ TEST(GeodesicSize, ExactSizesAreThoseOfBoostsDijkstra) {
 
 TEST(GeodesicSize, HalvesOfACutEdgeLeadToItsVertexOnM) {
   const Prepared p(testing::torus({18, 18, 12}));
-  for (std::uint32_t m = 0; m < p.surface.points.size(); ++m) {
+  for (std::uint32_t m = 0; m < p.surface.grid_edges.size(); ++m) {
     const std::uint32_t edge = p.surface.grid_edges[m];
     const std::uint32_t lower = edge / 3;
     const std::uint32_t upper = lower + p.sides.lattice.stride[edge % 3];

@@ -137,8 +137,10 @@ TEST(OpenBoundary, LoopOfARodGoesRoundIt) {
 std::array<std::int64_t, 3> betti_by_ranks(const SmallVolume& volume) {
   std::array<std::uint32_t, 3> dims{};
   for (int a = 0; a < 3; ++a) dims[a] = static_cast<std::uint32_t>(volume.dims[a]);
-  return oracle::betti_of_m(
-      oracle::build_complex(volume.values, volume.dims, make_lattice({0, 0, 0}, dims)));
+  const Lattice box = make_lattice({0, 0, 0}, dims);
+  const Sides sides = classify(volume.view(), testing::zero_level, Boundary::open);
+  return oracle::betti_of_m(oracle::build_complex(volume.values, volume.dims, box,
+                                                  testing::walls_of(sides, box)));
 }
 
 TEST(OpenBoundary, CountsEqualTheRanksOnThousandsOfVolumes) {
@@ -159,8 +161,8 @@ TEST(OpenBoundary, EulerCharacteristicAndBordersAddUp) {
     const SmallVolume volume = noise(i, 7);
     const Prepared prepared(volume, GeodesicMode::exact, Boundary::open);
     const Surface& surface = prepared.surface;
-    const ExplicitComplex slow =
-        oracle::build_complex(volume.values, volume.dims, prepared.sides.lattice);
+    const ExplicitComplex slow = oracle::build_complex(
+        volume.values, volume.dims, prepared.sides.lattice, testing::walls_of(prepared.sides));
     if (!surface.points.empty()) {
       ASSERT_EQ(surface.euler(), oracle::euler_of_m(slow)) << "volume " << i;
     }
@@ -176,22 +178,30 @@ TEST(OpenBoundary, EulerCharacteristicAndBordersAddUp) {
   }
 }
 
-using SidedEdges = std::pair<ExplicitComplex::Place, std::set<std::uint32_t>>;
+/// The interior edges of a face, and its cube if it is a wall: two walls may have the same edges.
+struct FaceKey {
+  ExplicitComplex::Place place;
+  std::set<std::uint32_t> edges;
+  std::uint32_t cube_of_wall = static_cast<std::uint32_t>(-1);
+  auto operator<=>(const FaceKey&) const = default;
+};
 
 /// Both engines against the slow reduction of the two sides in one filtration; what differs.
 std::string compare_with_oracle(const SmallVolume& volume, std::atomic<std::size_t>& compared) {
   const Prepared prepared(volume, GeodesicMode::exact, Boundary::open);
   if (prepared.surface.points.empty()) return "";
-  const ExplicitComplex slow =
-      oracle::build_complex(volume.values, volume.dims, prepared.sides.lattice);
-  std::map<SidedEdges, int> face_of_edges;
+  const ExplicitComplex slow = oracle::build_complex(
+      volume.values, volume.dims, prepared.sides.lattice, testing::walls_of(prepared.sides));
+  std::map<FaceKey, int> face_of_edges;
   for (std::size_t face = 0; face < slow.faces.size(); ++face) {
     const auto& cell = slow.faces[face];
     if (cell.place == ExplicitComplex::Place::on_m) continue;
-    SidedEdges key{cell.place, {}};
+    FaceKey key{cell.place, {}};
     for (const int edge : cell.boundary)
       if (slow.edges[static_cast<std::size_t>(edge)].place == cell.place)
-        key.second.insert(slow.grid_edge_of_edge[static_cast<std::size_t>(edge)]);
+        key.edges.insert(slow.grid_edge_of_edge[static_cast<std::size_t>(edge)]);
+    const auto wall = slow.cube_of_wall.find(static_cast<int>(face));
+    if (wall != slow.cube_of_wall.end()) key.cube_of_wall = wall->second;
     face_of_edges.emplace(std::move(key), static_cast<int>(face));
   }
   struct Entry {
@@ -205,9 +215,15 @@ std::string compare_with_oracle(const SmallVolume& volume, std::atomic<std::size
     const GridComplex& complex = prepared.complex(side);
     const auto place =
         side == Side::inside ? ExplicitComplex::Place::inside : ExplicitComplex::Place::outside;
+    std::map<std::uint32_t, std::uint32_t> cube_of_wall;
+    for (const GridComplex::Beyond& beyond : complex.beyond_walls())
+      cube_of_wall[beyond.piece] = beyond.cube;
     for (const std::uint32_t piece : complex.pieces()) {
       const auto edges = complex.edges_of(piece);
-      const auto found = face_of_edges.find({place, {edges.begin(), edges.end()}});
+      FaceKey key{place, {edges.begin(), edges.end()}};
+      const auto wall = cube_of_wall.find(piece);
+      if (wall != cube_of_wall.end()) key.cube_of_wall = wall->second;
+      const auto found = face_of_edges.find(key);
       if (found == face_of_edges.end()) return "the oracle lacks a piece";
       order.push_back({complex.size(piece), piece, side, found->second});
     }

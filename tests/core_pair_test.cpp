@@ -165,7 +165,8 @@ TEST(Pair, CountsTheFanTrianglesOfEveryPiece) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     const Prepared prepared(testing::white_noise({5, 4, 6}, seed));
     const oracle::ExplicitComplex slow =
-        oracle::build_complex(prepared.volume.values, prepared.volume.dims, prepared.sides.lattice);
+        oracle::build_complex(prepared.volume.values, prepared.volume.dims, prepared.sides.lattice,
+                              testing::walls_of(prepared.sides));
     std::map<oracle::ExplicitComplex::Place, std::uint64_t> expected;
     for (const auto& face : slow.faces) expected[face.place] += face.boundary.size() - 2;
     EXPECT_EQ(fan_triangle_count(*prepared.inside),

@@ -14,6 +14,7 @@
 #include "core/surface.h"
 #include "tests/core_fixture.h"
 #include "tests/explicit_complex.h"
+#include "tests/refined_field.h"
 
 namespace isoloop {
 namespace {
@@ -83,12 +84,24 @@ TEST(Surface, EulerCharacteristicIsThatOfTheWrittenOutComplex) {
   for (std::uint32_t seed = 0; seed < 100; ++seed) {
     const SmallVolume volume = testing::white_noise({5, 4, 5}, seed);
     const Cut cut = cut_volume(volume);
-    const auto slow = oracle::build_complex(volume.values, volume.dims, cut.sides.lattice);
+    const auto slow = oracle::build_complex(volume.values, volume.dims, cut.sides.lattice,
+                                            testing::walls_of(cut.sides));
     ASSERT_EQ(cut.surface.euler(), oracle::euler_of_m(slow));
     std::int64_t sum = 0;
     for (const SurfaceComponent& component : cut.surface.components) sum += component.euler;
     ASSERT_EQ(sum, cut.surface.euler());
   }
+}
+
+TEST(Surface, SolidsInGaussianFieldsHaveTheRefinedEulerCharacteristic) {
+  std::size_t tunnels = 0;
+  for (std::uint32_t seed = 0; seed < 3; ++seed) {
+    const SmallVolume volume = testing::gaussian_field({20, 20, 20}, 0.5 + 0.25 * seed, seed);
+    const Cut cut = cut_volume(volume);
+    tunnels += cut.sides.tunnels.size();
+    EXPECT_EQ(cut.surface.euler() / 2, testing::refined_euler(volume).euler);
+  }
+  EXPECT_GT(tunnels, 10U);
 }
 
 TEST(Surface, EnclosesThePositiveVolumeOfABall) {
@@ -114,7 +127,7 @@ TEST(Surface, VerticesLieStrictlyWithinTheirGridEdges) {
   SmallVolume volume = testing::white_noise({6, 6, 6}, 3);
   for (std::size_t n = 0; n < volume.values.size(); n += 3) volume.values[n] = 0.0;  // f = iso
   const Cut cut = cut_volume(volume);
-  for (std::size_t v = 0; v < cut.surface.points.size(); ++v) {
+  for (std::size_t v = 0; v < cut.surface.grid_edges.size(); ++v) {
     const std::uint32_t edge = cut.surface.grid_edges[v];
     const auto lower = cut.sides.lattice.position(edge / 3);
     for (std::uint32_t a = 0; a < 3; ++a) {

@@ -6,6 +6,10 @@
 #include <iterator>
 #include <limits>
 #include <numeric>
+#include <set>
+#include <stdexcept>
+
+#include "tests/swept_cube.h"
 
 namespace isoloop::oracle {
 namespace {
@@ -47,10 +51,12 @@ struct CutFace {
 
 class Builder {
  public:
-  Builder(const std::vector<double>& inside_value, const Index3& dims, const Lattice& box)
+  Builder(const std::vector<double>& inside_value, const Index3& dims, const Lattice& box,
+          const std::optional<Walls>& walls)
       : value_(inside_value),
         dims_(dims),
         box_(box),
+        walls_(walls),
         grid_vertices_(box.vertex_count(), -1),
         crossings_(3 * std::size_t{box.vertex_count()}, -1),
         edge_ends_(6 * std::size_t{box.vertex_count()}, -1),
@@ -70,6 +76,7 @@ class Builder {
     for_each_position([&](const Position& p) {
       if (fits(p, {0, 1, 2})) cut_cube(p);
     });
+    if (walls_ && walls_built_ != walls_->size()) throw std::logic_error("a wall lacks its tunnel");
     return std::move(complex_);
   }
 
@@ -233,7 +240,6 @@ class Builder {
       sides.push_back(&faces_[number(p, axis)]);
       sides.push_back(&faces_[number(step(p, axis), axis)]);
     }
-    const std::vector<int> polygons = add_polygons(sides);
     // Parts of the cube's surface that share a corner belong to one cell.
     std::vector<const CutFace::Part*> parts;
     std::vector<CornerSet> corners;
@@ -246,15 +252,45 @@ class Builder {
     for (std::size_t i = 0; i < parts.size(); ++i)
       for (std::size_t k = 0; k < i; ++k)
         if ((corners[i] & corners[k]).any()) cells.merge(static_cast<int>(i), static_cast<int>(k));
+    const std::optional<bool> torus = walls_ ? join_within(p, parts, corners, cells) : std::nullopt;
+    const Curves curves = trace_curves(sides);
+    const std::vector<int> patches = add_patches(curves, parts, cells);
+    if (torus) add_wall(static_cast<std::uint32_t>(number(p, 0) / 3), *torus, curves);
     for (int root = 0; root < static_cast<int>(parts.size()); ++root) {
       ExplicitComplex::Cell cell{parts[root]->inside ? Place::inside : Place::outside, {}};
       for (int i = 0; i < static_cast<int>(parts.size()); ++i)
         if (cells.of(i) == root) cell.boundary.push_back(parts[i]->face);
       if (cell.boundary.empty()) continue;
-      add_polygons_of(cell, polygons);
+      add_patches_of(cell, patches);
       std::sort(cell.boundary.begin(), cell.boundary.end());
       complex_.solids.push_back(cell);
     }
+  }
+
+  /// Joins the cells that the interpolant joins within the cube. If it does: whether the torus
+  /// round the tunnel is inside.
+  std::optional<bool> join_within(const Position& p, const std::vector<const CutFace::Part*>& parts,
+                                  const std::vector<CornerSet>& corners, Classes& cells) const {
+    std::array<double, 8> values{};
+    for (int c = 0; c < 8; ++c)
+      values[c] = std::max(-1e3, value({p[0] + (c & 1), p[1] + (c >> 1 & 1), p[2] + (c >> 2 & 1)}));
+    const SweptCube swept = sweep(values);
+    const auto swept_part = [&](int i) {
+      std::size_t c = 0;
+      while (!corners[i][c]) ++c;
+      return swept.part_of_corner[c];
+    };
+    bool joined = false;
+    for (int i = 0; i < static_cast<int>(parts.size()); ++i)
+      for (int k = 0; k < i; ++k) {
+        if (cells.of(i) == cells.of(k) || swept_part(i) != swept_part(k)) continue;
+        cells.merge(i, k);
+        joined = true;
+      }
+    if (joined != (swept.cycles[0] + swept.cycles[1] == 1))
+      throw std::logic_error("a tunnel must join two cells and go through one");
+    if (!joined) return std::nullopt;
+    return swept.cycles[1] == 1;
   }
 
   /// Of the cube whose lowest corner is p.
@@ -267,46 +303,98 @@ class Builder {
     return corners;
   }
 
-  /// The parts of faces leave the cell open along M's segments; polygons close it there.
-  void add_polygons_of(ExplicitComplex::Cell& cell, const std::vector<int>& polygons) const {
+  /// The parts of faces leave the cell open along M's segments; patches close it there.
+  void add_patches_of(ExplicitComplex::Cell& cell, const std::vector<int>& patches) const {
     const Chain parts = cell.boundary;
-    for (const int polygon : polygons) {
-      const int segment = complex_.faces[polygon].boundary.front();
+    for (const int patch : patches) {
+      const int segment = complex_.faces[patch].boundary.front();
       if (std::any_of(parts.begin(), parts.end(),
                       [&](int part) { return holds(complex_.faces[part].boundary, segment); }))
-        cell.boundary.push_back(polygon);
+        cell.boundary.push_back(patch);
     }
   }
 
-  /// Strings the segments on the cube's faces into closed curves.
-  std::vector<int> add_polygons(const std::vector<const CutFace*>& sides) {
+  /// The segments on a cube's faces, strung into closed curves.
+  struct Curves {
     std::vector<int> segments;
+    Classes classes;  // of places in `segments`
+  };
+
+  Curves trace_curves(const std::vector<const CutFace*>& sides) const {
+    Curves curves;
+    std::vector<int>& segments = curves.segments;
     for (const CutFace* face : sides)
       segments.insert(segments.end(), face->segments.begin(), face->segments.end());
-    Classes curves;
     for (std::size_t i = 0; i < segments.size(); ++i)
       for (std::size_t k = 0; k < i; ++k) {
         const Chain& a = complex_.edges[segments[i]].boundary;
         const Chain& b = complex_.edges[segments[k]].boundary;
         if (std::any_of(a.begin(), a.end(), [&](int v) { return holds(b, v); }))
-          curves.merge(static_cast<int>(i), static_cast<int>(k));
+          curves.classes.merge(static_cast<int>(i), static_cast<int>(k));
       }
-    std::vector<int> polygons;
-    for (int root = 0; root < static_cast<int>(segments.size()); ++root) {
-      ExplicitComplex::Cell polygon{Place::on_m, {}};
-      for (int i = 0; i < static_cast<int>(segments.size()); ++i)
-        if (curves.of(i) == root) polygon.boundary.push_back(segments[i]);
-      if (polygon.boundary.empty()) continue;
-      std::sort(polygon.boundary.begin(), polygon.boundary.end());
-      polygons.push_back(static_cast<int>(complex_.faces.size()));
-      complex_.faces.push_back(polygon);
+    return curves;
+  }
+
+  /// One patch for all curves between the same two cells: a tube is bounded by two of them, and,
+  /// cut open along the wall's edges on M, is a disc.
+  std::vector<int> add_patches(Curves curves, const std::vector<const CutFace::Part*>& parts,
+                               const Classes& cells) {
+    const auto count = static_cast<int>(curves.segments.size());
+    const auto cells_at = [&](int segment) {
+      std::set<int> found;
+      for (int i = 0; i < static_cast<int>(parts.size()); ++i)
+        if (holds(complex_.faces[parts[i]->face].boundary, curves.segments[segment]))
+          found.insert(cells.of(i));
+      return found;
+    };
+    for (int i = 0; walls_ && i < count; ++i)
+      for (int k = 0; k < i; ++k)
+        if (curves.classes.of(i) != curves.classes.of(k) && cells_at(i) == cells_at(k))
+          curves.classes.merge(i, k);
+    std::vector<int> patches;
+    for (int root = 0; root < count; ++root) {
+      ExplicitComplex::Cell patch{Place::on_m, {}};
+      for (int i = 0; i < count; ++i)
+        if (curves.classes.of(i) == root) patch.boundary.push_back(curves.segments[i]);
+      if (patch.boundary.empty()) continue;
+      std::sort(patch.boundary.begin(), patch.boundary.end());
+      patches.push_back(static_cast<int>(complex_.faces.size()));
+      complex_.faces.push_back(patch);
     }
-    return polygons;
+    return patches;
+  }
+
+  void add_wall(std::uint32_t cube, bool in_inside, const Curves& curves) {
+    const auto found = walls_->find(cube);
+    if (found == walls_->end()) throw std::logic_error("a tunnel lacks its wall");
+    ++walls_built_;
+    const std::vector<std::uint32_t>& grid_edges = found->second;
+    const auto curve_at = [&](int crossing) {
+      std::size_t i = 0;
+      while (!holds(complex_.edges[curves.segments.at(i)].boundary, crossing)) ++i;
+      return curves.classes.of(static_cast<int>(i));
+    };
+    const int from = crossings_[grid_edges.front()];
+    const int to = crossings_[grid_edges.back()];
+    if (curve_at(from) == curve_at(to)) throw std::logic_error("a wall ends on one curve twice");
+    ExplicitComplex::Cell wall{in_inside ? Place::inside : Place::outside, {}};
+    for (const std::uint32_t edge : grid_edges) wall.boundary.push_back(edge_end(edge, in_inside));
+    const auto middle = static_cast<int>(complex_.vertices.size());
+    complex_.vertices.push_back(Place::on_m);
+    for (const int end : {from, to}) {
+      wall.boundary.push_back(static_cast<int>(complex_.edges.size()));
+      complex_.edges.push_back({Place::on_m, ends_of(end, middle)});
+    }
+    std::sort(wall.boundary.begin(), wall.boundary.end());
+    complex_.cube_of_wall[static_cast<int>(complex_.faces.size())] = cube;
+    complex_.faces.push_back(std::move(wall));
   }
 
   const std::vector<double>& value_;
   Index3 dims_;
   const Lattice& box_;
+  const std::optional<Walls>& walls_;
+  std::size_t walls_built_ = 0;
   ExplicitComplex complex_;
   std::vector<bool> inside_;        // by lattice vertex
   std::vector<int> grid_vertices_;  // by lattice vertex
@@ -364,8 +452,8 @@ Chain sum(const Chain& a, const Chain& b) {
 }
 
 ExplicitComplex build_complex(const std::vector<double>& inside_value, const Index3& dims,
-                              const Lattice& box) {
-  return Builder(inside_value, dims, box).build();
+                              const Lattice& box, const std::optional<Walls>& walls) {
+  return Builder(inside_value, dims, box, walls).build();
 }
 
 std::array<std::int64_t, 3> betti_of_m(const ExplicitComplex& complex) {

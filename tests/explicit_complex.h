@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <vector>
 
 #include "core/grid.h"
@@ -31,11 +33,18 @@ struct ExplicitComplex {
   std::vector<Cell> solids;  // parts of cubes; boundary: faces
   /// The grid edge that each edge off M is all or half of. Edges off M come before M's.
   std::vector<std::uint32_t> grid_edge_of_edge;
+  std::map<int, std::uint32_t> cube_of_wall;  // by face
 };
 
+/// For cubes with an interior tunnel, by number: the grid edges on the border of the wall across
+/// the torus round it, from one curve of the tube to the other. Any wall will do; this is a choice.
+using Walls = std::map<std::uint32_t, std::vector<std::uint32_t>>;
+
 /// `inside_value`: non-negative exactly inside; by voxel of `dims`. `box`: the lattice to fill.
+/// Without `walls` no cube has a tunnel; with them the interpolant's tunnels, which must be theirs:
+/// throws std::logic_error if they are not, or if a wall does not join a tube's two curves.
 ExplicitComplex build_complex(const std::vector<double>& inside_value, const Index3& dims,
-                              const Lattice& box);
+                              const Lattice& box, const std::optional<Walls>& walls = {});
 
 /// Betti numbers of I closed up to M, by the ranks of its boundary matrices.
 std::array<std::int64_t, 3> betti_inside(const ExplicitComplex& complex);

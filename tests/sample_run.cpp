@@ -28,6 +28,7 @@ Surface torus_surface() {
       surface.points.push_back({static_cast<float>(5.0 + radius * std::cos(third * i)),
                                 static_cast<float>(5.0 + radius * std::sin(third * i)),
                                 static_cast<float>(5.0 + std::sin(third * j))});
+      surface.grid_edges.push_back(3 * i + j);
       surface.component_of_vertex.push_back(0);
       const auto at = [](std::uint32_t a, std::uint32_t b) { return 3 * (a % 3) + b % 3; };
       surface.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});

@@ -1,0 +1,39 @@
+// Trilinear topology at size, against refined cubes: minutes, so not among the default tests.
+#include <cstdio>
+
+#include <gtest/gtest.h>
+
+#include "core/analysis.h"
+#include "tests/cut_of_levels.h"
+#include "tests/refined_field.h"
+
+namespace isoloop {
+namespace {
+
+TEST(TopologySlow, AMillionCubesHaveThePartsOfTheRefinedCubes) {
+  EXPECT_EQ(testing::compare_with_refined_cubes(1'000'000, 7), "");
+}
+
+TEST(TopologySlow, SolidsInGaussianFieldsHaveTheRefinedEulerCharacteristic) {
+  for (const std::int64_t size : {64, 128})
+    for (const double sigma : {1.0, 2.0, 4.0})
+      for (std::uint32_t seed = 0; seed < 10; ++seed) {
+        const testing::SmallVolume volume =
+            testing::gaussian_field({size, size, size}, sigma, seed);
+        const testing::RefinedEuler expected = testing::refined_euler(volume);
+        EXPECT_LT(1000 * expected.unresolved, expected.cubes);
+        const auto euler_of = [&](Topology topology) {
+          const IsoLevel level{0.0, InsideRule::above, topology};
+          return count_topology(volume.view(), level).surface.euler() / 2;
+        };
+        EXPECT_EQ(euler_of(Topology::trilinear), expected.euler) << sigma << " seed " << seed;
+        std::printf(
+            "%3d^3 sigma %g seed %2u: refined %6d (unresolved cubes: %d of %d), simple %d\n",
+            static_cast<int>(size), sigma, seed, static_cast<int>(expected.euler),
+            static_cast<int>(expected.unresolved), static_cast<int>(expected.cubes),
+            static_cast<int>(euler_of(Topology::simple)));
+      }
+}
+
+}  // namespace
+}  // namespace isoloop
