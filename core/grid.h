@@ -36,13 +36,13 @@ enum class InsideRule { above, below };
 /// How M runs within the cubes between voxels. trilinear: it has the topology of the trilinear
 /// interpolant's iso-surface. simple: a cube's parts are those of its surface, and all are balls.
 /// Both cut the cubes' faces as the bilinear interpolant does.
-enum class Topology { simple, trilinear };
+enum class Topology { trilinear, simple };
 
 /// Where the solid's border runs. f = iso is inside under both rules.
 struct IsoLevel {
   double iso = 0.0;  // unit of the voxel values
   InsideRule inside = InsideRule::above;
-  Topology topology = Topology::simple;
+  Topology topology = Topology::trilinear;
 };
 
 }  // namespace isoloop

@@ -129,6 +129,20 @@ TEST_F(CommandLine, NanIsRefusedUnlessAValueStandsIn) {
   EXPECT_EQ(Json::parse(result.out).at("betti").at("b0"), 1);
 }
 
+TEST_F(CommandLine, TopologySaysWhetherATunnelWithinACubeJoinsItsCorners) {
+  scratch_.write("cube_2x2x2_float32.raw", float_bytes({4, -1, -1, -1, -1, -1, -1, 4}));
+  const auto components = [&](const Words& flags) {
+    Words arguments{"count", "cube_2x2x2_float32.raw", "--iso", "0", "--json", "-"};
+    arguments.insert(arguments.end(), flags.begin(), flags.end());
+    return Json::parse(run(arguments).out).at("betti").at("b0").get<int>();
+  };
+  EXPECT_EQ(components({}), 1);
+  EXPECT_EQ(components({"--topology", "trilinear"}), 1);
+  EXPECT_EQ(components({"--topology", "simple"}), 2);
+  expect_failure({"count", "cube_2x2x2_float32.raw", "--iso", "0", "--topology", "cubic"}, 2,
+                 "--topology");
+}
+
 TEST_F(CommandLine, MissingIsoIsAUsageErrorThatStatesTheRange) {
   scratch_.write("ring_5x5x3_uint8.raw", ring_bytes());
   expect_failure({"loops", "ring_5x5x3_uint8.raw"}, 2, "0 to 1");

@@ -16,7 +16,7 @@
 
 namespace isoloop::testing {
 
-inline constexpr IsoLevel zero_level{0.0, InsideRule::above, Topology::trilinear};
+inline constexpr IsoLevel zero_level{0.0, InsideRule::above};
 
 /// The walls that core/ builds, for the complex written out in `box`, which holds that of `sides`.
 inline oracle::Walls walls_of(const Sides& sides, const Lattice& box) {

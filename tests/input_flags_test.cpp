@@ -128,6 +128,13 @@ TEST(IsoLevelOfFlags, FlagsWinOverTheLevelSet) {
   EXPECT_EQ(level.inside, InsideRule::above);
 }
 
+TEST(IsoLevelOfFlags, TopologyIsTrilinearUnlessSimpleIsAskedFor) {
+  EXPECT_EQ(iso_level({}, two_voxels(true)).topology, Topology::trilinear);
+  LevelFlags flags;
+  flags.topology = "simple";
+  EXPECT_EQ(iso_level(flags, two_voxels(true)).topology, Topology::simple);
+}
+
 TEST(IsoLevelOfFlags, IsRequiredOtherwiseAndTheMessageStatesTheRange) {
   try {
     iso_level({}, two_voxels(false));

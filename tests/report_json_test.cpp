@@ -134,6 +134,13 @@ TEST(ReportJson, PrintsFrameAndAffine) {
             Json::parse("[[0.5,0,0,100],[0,0.5,0,0],[0,0,0.5,0],[0,0,0,1]]"));
 }
 
+TEST(ReportJson, NamesTheTopology) {
+  RunResult run = torus_run();
+  EXPECT_EQ(parsed(run).at("conventions").at("topology"), "trilinear");
+  run.level.topology = Topology::simple;
+  EXPECT_EQ(parsed(run).at("conventions").at("topology"), "simple");
+}
+
 TEST(ReportJson, NamesTheInsideRule) {
   RunResult run = torus_run();
   EXPECT_EQ(parsed(run).at("conventions").at("inside"), "f <= 0.25");

@@ -97,6 +97,13 @@ void add_level_flags(CLI::App& command, LevelFlags& flags) {
           "for a level set)")
       ->check(CLI::IsMember({"above", "below"}))
       ->type_name("RULE");
+  command
+      .add_option("--topology", flags.topology,
+                  "of the surface within cubes: trilinear is that of the trilinear interpolant, "
+                  "tunnels within cubes included; simple makes every part of a cube a ball")
+      ->check(CLI::IsMember({"trilinear", "simple"}))
+      ->type_name("WHICH")
+      ->capture_default_str();
   command.add_flag("--open-boundary", flags.open_boundary,
                    "end the surface at the border of the volume instead of closing it there; its "
                    "sides are not told apart");
@@ -136,7 +143,12 @@ IsoLevel iso_level(const LevelFlags& flags, const Volume& volume) {
   if (!std::isfinite(level.iso)) throw InvalidArgument("--iso must be a finite number");
   const bool below = flags.inside.empty() ? volume.level_set : flags.inside == "below";
   level.inside = below ? InsideRule::below : InsideRule::above;
+  level.topology = flags.topology == "simple" ? Topology::simple : Topology::trilinear;
   return level;
+}
+
+std::string topology_text(Topology topology) {
+  return topology == Topology::simple ? "simple" : "trilinear";
 }
 
 Boundary boundary_of(const LevelFlags& flags) {

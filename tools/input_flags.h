@@ -31,13 +31,14 @@ struct VolumeFlags {
 struct LevelFlags {
   std::optional<double> iso;  // unit of the voxel values
   std::string inside;         // "above", "below" or empty: as the file suggests
+  std::string topology = "trilinear";
   bool open_boundary = false;
 };
 
 /// Adds FILE and the flags that describe it. `flags` must outlive the parse.
 void add_volume_flags(CLI::App& command, VolumeFlags& flags);
 
-/// Adds --iso, --inside and --open-boundary. `flags` must outlive the parse.
+/// Adds --iso, --inside, --topology and --open-boundary. `flags` must outlive the parse.
 void add_level_flags(CLI::App& command, LevelFlags& flags);
 
 /// Throws InvalidArgument naming the flag that makes no sense.
@@ -46,6 +47,9 @@ ReadOptions read_options(const VolumeFlags& flags);
 /// A level set has the level 0 and its inside below unless the flags say otherwise; other volumes
 /// have their inside above. Throws InvalidArgument if iso is missing or not finite.
 IsoLevel iso_level(const LevelFlags& flags, const Volume& volume);
+
+/// As the flag spells it: "trilinear" or "simple".
+std::string topology_text(Topology topology);
 
 Boundary boundary_of(const LevelFlags& flags);
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/engine_flags.h"
+#include "tools/input_flags.h"
 #include "tools/report_table.h"
 
 namespace isoloop {
@@ -59,7 +60,8 @@ Json conventions_of(const RunResult& run) {
       {"inside", inside_text(run.level)},
       {"inside_rule", run.level.inside == InsideRule::above ? "above" : "below"},
       {"equal_to_iso", "inside"},
-      {"ambiguous_faces", "asymptotic decider, ties by a fixed rule; cells are simply connected"},
+      {"topology", topology_text(run.level.topology)},
+      {"ambiguous_faces", "asymptotic decider; a saddle at the iso value is outside"},
       {"padding", open ? "none: the surface ends at the border of the volume"
                        : "one layer outside the volume"},
       {"coefficients", "Z2"}};

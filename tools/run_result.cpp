@@ -119,9 +119,9 @@ void check_counts(const Analysis& analysis) {
     cavities += part.bounds_cavity ? 1 : 0;
   }
   const auto parts = static_cast<std::int64_t>(analysis.surface.components.size());
-  const auto vertices = static_cast<std::int64_t>(analysis.surface.points.size());
+  const auto on_grid = static_cast<std::int64_t>(analysis.surface.grid_edges.size());
   if (euler != analysis.surface.euler() || genus != analysis.surface.genus() ||
-      (closed && euler != analysis.surface.polygons - vertices)) {
+      (closed && euler != analysis.surface.polygons - on_grid)) {
     throw SelfCheckFailed("the components of the surface do not add up to the whole");
   }
   const Betti& betti = analysis.betti;
