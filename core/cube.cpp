@@ -1,6 +1,7 @@
 #include "core/cube.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <unordered_map>
 #include <utility>
@@ -225,6 +226,27 @@ const CutTable& table() {
   return cuts;
 }
 
+/// Whether a b > c d, exactly: where the rounded products are equal the remainders tell. a and b are
+/// not negative; c and d are negative.
+bool is_larger_product(double a, double b, double c, double d) {
+  if (a == 0 || b == 0) return false;
+  int exponent = 0;  // of a b over c d, mantissas apart, whose products lie within a factor of 4
+  const auto mantissa = [&](double value, int sign) {
+    int own = 0;
+    const double scaled = std::frexp(value, &own);
+    exponent += sign * own;
+    return scaled;
+  };
+  b = mantissa(b, 1);
+  c = mantissa(c, -1);
+  d = mantissa(d, -1);
+  a = mantissa(a, 1);
+  a = std::ldexp(a, std::clamp(exponent, -4, 4));
+  const double ab = a * b;
+  const double cd = c * d;
+  return ab != cd ? ab > cd : std::fma(a, b, -ab) > std::fma(c, d, -cd);
+}
+
 }  // namespace
 
 std::span<const std::uint8_t, 4> face_ring(int face) {
@@ -263,7 +285,10 @@ const TunnelCut& tunnel_cut(std::uint8_t inside, std::uint8_t joined, bool odd, 
 
 bool inside_is_joined(const std::array<double, 4>& level) {
   const int first = level[0] >= 0 ? 0 : 1;
-  return level[first] * level[first + 2] > level[1 - first] * level[3 - first];
+  const double in = level[first] * level[first + 2];
+  const double out = level[1 - first] * level[3 - first];
+  if (in != out) return in > out;
+  return is_larger_product(level[first], level[first + 2], level[1 - first], level[3 - first]);
 }
 
 }  // namespace isoloop

@@ -105,7 +105,7 @@ constexpr bool is_ambiguous(unsigned ring_inside) {
 }
 
 /// Asymptotic decider for an ambiguous face: the inside corners are joined if the product of their
-/// distances from iso is more than that of the outside corners; a tie keeps them apart.
+/// distances from iso is more than that of the outside corners, exactly; a tie keeps them apart.
 /// `level`: value minus iso at the ring's corners, non-negative inside; finite.
 bool inside_is_joined(const std::array<double, 4>& level);
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <set>
@@ -87,6 +88,22 @@ TEST(Cube, EveryPatchEndsInTheFaceSegmentsAndNowhereElse) {
     EXPECT_EQ(border, face_segments(inside, joined)) << inside << " " << joined;
   });
   EXPECT_GT(cuts, 2 * 256);
+}
+
+TEST(Cube, SaddlesOfFacesAreDecidedExactly) {
+  const double up = std::nextafter(1.0, 2.0);
+  const double twice_up = std::nextafter(up, 2.0);
+  // up * up = 1 * twice_up + (up - 1)^2: as doubles the products are equal.
+  EXPECT_TRUE(inside_is_joined({up, -1.0, up, -twice_up}));
+  EXPECT_FALSE(inside_is_joined({1.0, -up, twice_up, -up}));
+  EXPECT_FALSE(inside_is_joined({up, -up, up, -up})) << "a tie";
+  for (const double tiny : {1e-200, 1e-310}) {  // whose products are 0 as doubles
+    EXPECT_TRUE(inside_is_joined({2 * tiny, -tiny, 2 * tiny, -tiny}));
+    EXPECT_TRUE(inside_is_joined({-tiny, 1e-200, -tiny, 2e-200}));
+    EXPECT_FALSE(inside_is_joined({-2 * tiny, tiny, -2 * tiny, tiny}));
+    EXPECT_FALSE(inside_is_joined({tiny, -tiny, tiny, -tiny})) << "a tie";
+    EXPECT_FALSE(inside_is_joined({0.0, -tiny, 5.0, -tiny}));
+  }
 }
 
 TEST(Cube, EveryPatchIsADisc) {

@@ -1,5 +1,9 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -58,13 +62,118 @@ TEST(Sides, ADimensionThatDoesNotFitIsRefused) {
   EXPECT_THROW(classify(view_of(values, {7, 1, 1}), IsoLevel{std::nan("")}), InvalidArgument);
 }
 
-TEST(Sides, SwappingTheRuleSwapsTheSides) {
-  testing::SmallVolume volume = testing::white_noise({5, 5, 5}, 9);
-  const Sides above = classify(volume.view(), IsoLevel{0.0, InsideRule::above});
-  for (double& value : volume.values) value = -value;
-  const Sides below = classify(volume.view(), IsoLevel{0.0, InsideRule::below});
-  EXPECT_EQ(above.inside, below.inside);
-  EXPECT_EQ(above.cubes, below.cubes);
+/// Few whole numbers: voxels and saddles at the iso value are frequent. In every other volume, of
+/// one cube, so are tunnels.
+testing::SmallVolume with_ties(std::uint32_t seed) {
+  std::mt19937 random(seed);
+  const bool one_cube = seed % 2 == 0;
+  testing::SmallVolume volume;
+  volume.dims = one_cube ? Index3{2, 2, 2} : Index3{4, 3, 3};
+  volume.values.resize(one_cube ? 8 : 36);
+  for (double& value : volume.values) value = static_cast<double>(random() % 9) - 4;
+  if (one_cube) {
+    for (std::size_t n = 0; n < 8; ++n) {
+      const bool at_end = n % 7 == 0;
+      volume.values[n] = std::abs(volume.values[n]) + (at_end ? 3 : 0);
+      if (at_end != (seed % 8 < 4)) volume.values[n] *= -1;
+    }
+  }
+  return volume;
+}
+
+/// One thing that classify() decides, and its place in half voxels.
+struct Decision {
+  enum What { inside_vertex, joined_face, tunnel_of_outside, tunnel_of_inside };
+
+  What what;
+  Index3 place;
+  auto operator<=>(const Decision&) const = default;
+};
+
+std::set<Decision> decisions(const Sides& sides) {
+  std::set<Decision> found;
+  const auto add = [&](Decision::What what, std::uint32_t vertex, const Index3& half) {
+    const auto p = sides.lattice.position(vertex);
+    Decision decision{what, {}};
+    for (int a = 0; a < 3; ++a)
+      decision.place[a] = 2 * (sides.lattice.first[a] + p[a]) + half[a];
+    found.insert(decision);
+  };
+  for (std::uint32_t v = 0; v < sides.lattice.vertex_count(); ++v) {
+    if (sides.is_on(Side::inside, v)) add(Decision::inside_vertex, v, {0, 0, 0});
+    for (int a = 0; a < 3; ++a) {
+      Index3 half{1, 1, 1};
+      half[a] = 0;
+      if ((sides.cubes[v] >> a & Sides::lower_face_joined) != 0)
+        add(Decision::joined_face, v, half);
+    }
+  }
+  for (const Sides::Tunnel& tunnel : sides.tunnels)
+    add(joined_side(sides, tunnel) == Side::inside ? Decision::tunnel_of_inside
+                                                   : Decision::tunnel_of_outside,
+        tunnel.cube, {1, 1, 1});
+  return found;
+}
+
+TEST(Sides, TiesAreDecidedAlikeUnderEverySymmetry) {
+  constexpr IsoLevel zero{0.0, InsideRule::above};
+  std::array<std::size_t, 4> seen{};  // by Decision::What
+  for (std::uint32_t seed = 0; seed < 1000; ++seed) {
+    const testing::SmallVolume volume = with_ties(seed);
+    const Boundary boundary = seed % 4 < 2 ? Boundary::closed : Boundary::open;
+    const std::set<Decision> expected = decisions(classify(volume.view(), zero, boundary));
+    for (const Decision& decision : expected) ++seen[decision.what];
+    std::array<int, 3> permutation{0, 1, 2};
+    do {
+      for (unsigned flips = 0; flips < 8; ++flips) {
+        const std::array<bool, 3> flip{(flips & 1U) != 0, (flips & 2U) != 0, (flips & 4U) != 0};
+        std::set<Decision> turned;
+        for (const Decision& decision : expected) {
+          Index3 place{};
+          for (int a = 0; a < 3; ++a) {
+            const std::int64_t from = decision.place[permutation[a]];
+            place[a] = flip[a] ? 2 * (volume.dims[permutation[a]] - 1) - from : from;
+          }
+          turned.insert({decision.what, place});
+        }
+        const testing::SmallVolume other = testing::transformed(volume, permutation, flip);
+        ASSERT_EQ(decisions(classify(other.view(), zero, boundary)), turned) << "seed " << seed;
+      }
+    } while (std::next_permutation(permutation.begin(), permutation.end()));
+  }
+  for (const std::size_t count : seen) EXPECT_GT(count, 40U);
+}
+
+TEST(Sides, OppositeValuesUnderTheOppositeRuleAreDecidedAlike) {
+  for (std::uint32_t seed = 0; seed < 1000; ++seed) {
+    testing::SmallVolume volume = with_ties(seed);
+    const Sides above = classify(volume.view(), IsoLevel{0.0, InsideRule::above});
+    for (double& value : volume.values) value = -value;
+    const Sides below = classify(volume.view(), IsoLevel{0.0, InsideRule::below});
+    EXPECT_EQ(above.inside, below.inside);
+    EXPECT_EQ(above.cubes, below.cubes);
+    EXPECT_EQ(above.tunnels, below.tunnels);
+  }
+}
+
+TEST(Sides, TheOppositeRuleSwapsTheSidesWhereNothingIsTied) {
+  std::size_t tunnels = 0;
+  for (std::uint32_t seed = 0; seed < 200; ++seed) {
+    const testing::SmallVolume volume = testing::white_noise({6, 6, 6}, seed);
+    const auto decided = [&](InsideRule rule) {
+      return classify(volume.view(), IsoLevel{0.0, rule}, Boundary::open);
+    };
+    const Sides above = decided(InsideRule::above);
+    const Sides below = decided(InsideRule::below);
+    ASSERT_EQ(above.lattice.dims, below.lattice.dims);
+    ASSERT_EQ(above.tunnels.size(), below.tunnels.size());
+    for (std::size_t t = 0; t < above.tunnels.size(); ++t) {
+      EXPECT_EQ(above.tunnels[t].cube, below.tunnels[t].cube);
+      EXPECT_NE(joined_side(above, above.tunnels[t]), joined_side(below, below.tunnels[t]));
+    }
+    tunnels += above.tunnels.size();
+  }
+  EXPECT_GT(tunnels, 50U);
 }
 
 }  // namespace
