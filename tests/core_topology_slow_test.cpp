@@ -40,6 +40,7 @@ TEST(TopologySlow, SolidsInGaussianFieldsHaveTheRefinedEulerCharacteristic) {
             static_cast<int>(size), sigma, seed, static_cast<int>(expected.euler),
             static_cast<int>(expected.unresolved), static_cast<int>(expected.cubes),
             static_cast<int>(euler_of(Topology::simple)));
+        std::fflush(stdout);
       }
 }
 

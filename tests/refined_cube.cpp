@@ -142,4 +142,14 @@ std::optional<CubeParts> converged_parts(const std::array<double, 8>& values, in
   return coarse[0];
 }
 
+std::optional<int> converged_euler(const std::array<double, 8>& values, int steps) {
+  const auto euler = [&](int n) -> std::optional<int> {
+    const Samples inside = sample(values, n)[1];
+    const int chi = chi_by_faces(inside);
+    return chi == chi_of_closed_voxels(inside) ? std::optional(chi) : std::nullopt;
+  };
+  const std::optional<int> coarse = euler(steps);
+  return coarse && coarse == euler(2 * steps) ? coarse : std::nullopt;
+}
+
 }  // namespace isoloop::oracle

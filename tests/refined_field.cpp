@@ -72,7 +72,7 @@ class Field {
 
   static std::int64_t euler_of(const std::array<double, 8>& corners, bool& resolved) {
     for (const int steps : {8, 16, 31})
-      if (const auto parts = oracle::converged_parts(corners, steps)) return (*parts)[1].chi;
+      if (const auto euler = oracle::converged_euler(corners, steps)) return *euler;
     resolved = false;
     const oracle::SweptCube swept = oracle::sweep(corners);
     return swept.parts[1] - swept.cycles[1];

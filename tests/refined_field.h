@@ -16,8 +16,8 @@ struct RefinedEuler {
   std::int64_t unresolved = 0;  // of them: too fine for voxels, so counted by slices
 };
 
-/// Cubes - faces + edges - vertices, each counted by its parts and their cycles: cubes and
-/// ambiguous faces by voxels at 8 and 16 (then 31) steps, where both adjacencies agree at both.
+/// Cubes - faces + edges - vertices, each by its Euler characteristic: cubes and ambiguous faces by
+/// voxels at 8 and 16 (else 16 and 32, else 31 and 62) steps, where both adjacencies agree at both.
 RefinedEuler refined_euler(const SmallVolume& volume);
 
 }  // namespace isoloop::testing
