@@ -226,8 +226,8 @@ const CutTable& table() {
   return cuts;
 }
 
-/// Whether a b > c d, exactly: where the rounded products are equal the remainders tell. a and b are
-/// not negative; c and d are negative.
+/// Whether a b > c d, exactly: where the rounded products are equal the remainders tell. a and b
+/// are not negative; c and d are negative.
 bool is_larger_product(double a, double b, double c, double d) {
   if (a == 0 || b == 0) return false;
   int exponent = 0;  // of a b over c d, mantissas apart, whose products lie within a factor of 4

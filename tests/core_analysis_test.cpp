@@ -137,9 +137,8 @@ TEST_P(RealVolume, HasTheIndependentCount) {
   const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
   const std::vector<std::uint8_t> values(bytes.begin(), bytes.end());
   for (const Topology topology : known.topologies) {
-    const Analysis analysis =
-        count_topology(GridView<std::uint8_t>{values, known.dims, {1, 1, 1}},
-                       IsoLevel{known.iso, InsideRule::above, topology});
+    const Analysis analysis = count_topology(GridView<std::uint8_t>{values, known.dims, {1, 1, 1}},
+                                             IsoLevel{known.iso, InsideRule::above, topology});
     EXPECT_EQ(static_cast<std::int64_t>(analysis.surface.points.size()), known.vertices);
     EXPECT_EQ(analysis.surface.polygons, known.discs);
     EXPECT_EQ(analysis.surface.euler(), known.euler);

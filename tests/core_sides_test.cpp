@@ -95,8 +95,7 @@ std::set<Decision> decisions(const Sides& sides) {
   const auto add = [&](Decision::What what, std::uint32_t vertex, const Index3& half) {
     const auto p = sides.lattice.position(vertex);
     Decision decision{what, {}};
-    for (int a = 0; a < 3; ++a)
-      decision.place[a] = 2 * (sides.lattice.first[a] + p[a]) + half[a];
+    for (int a = 0; a < 3; ++a) decision.place[a] = 2 * (sides.lattice.first[a] + p[a]) + half[a];
     found.insert(decision);
   };
   for (std::uint32_t v = 0; v < sides.lattice.vertex_count(); ++v) {

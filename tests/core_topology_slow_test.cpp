@@ -36,7 +36,8 @@ TEST(TopologySlow, SolidsInGaussianFieldsHaveTheRefinedEulerCharacteristic) {
         };
         EXPECT_EQ(euler_of(Topology::trilinear), expected.euler) << sigma << " seed " << seed;
         std::printf(
-            "%3d^3 sigma %g seed %2u: refined %6d (%d of %d cubes too fine for voxels), simple %d\n",
+            "%3d^3 sigma %g seed %2u: refined %6d (%d of %d cubes too fine for voxels), simple "
+            "%d\n",
             static_cast<int>(size), sigma, seed, static_cast<int>(expected.euler),
             static_cast<int>(expected.unresolved), static_cast<int>(expected.cubes),
             static_cast<int>(euler_of(Topology::simple)));
