@@ -49,7 +49,7 @@ struct StageSeconds {
 struct Analysis {
   Surface surface;
   Betti betti;
-  std::vector<Loop> loops;         // handles, then tunnels, or loops; each by size; all certified
+  std::vector<Loop> loops;         // by kind, then by size; every one certified
   std::vector<SurfacePair> pairs;  // engine `pair`: what pair_simplices() returns
   /// No basis of the handle loops, or of the tunnel loops, has a smaller total length along edges
   /// of M; 0 where nothing is known. Unit of the spacing.

@@ -7,11 +7,13 @@
 
 namespace isoloop {
 
-/// Of I; with an open boundary, where the sides are not told apart, of M.
+/// Of I: its components, its independent tunnels (as many as the genus of M), and its cavities,
+/// the components of O that do not reach the border. With an open boundary of M: its components,
+/// its independent loops, and its components without a border.
 struct Betti {
-  std::int64_t b0 = 0;  // components of I; of M
-  std::int64_t b1 = 0;  // independent tunnels of I, the genus of M; independent loops on M
-  std::int64_t b2 = 0;  // cavities: components of O that do not reach the border; closed parts of M
+  std::int64_t b0 = 0;
+  std::int64_t b1 = 0;
+  std::int64_t b2 = 0;
 };
 
 /// Of I by Alexander duality in the 3-sphere: every component of M is the outer border of one

@@ -11,8 +11,7 @@ std::vector<Loop> loops_of_pairs(const Surface& surface, std::span<const Surface
   std::vector<const SurfacePair*> sorted;
   for (const SurfacePair& pair : pairs) sorted.push_back(&pair);
   const auto kind_of = [&](const SurfacePair* pair) {
-    if (surface.boundary == Boundary::open) return LoopKind::loop;
-    return pair->side == Side::inside ? LoopKind::handle : LoopKind::tunnel;
+    return kind_on(surface.boundary, pair->side);
   };
   const auto key = [&](const SurfacePair* pair) {
     return std::tuple(kind_of(pair), pair->size, pair->piece, pair->side == Side::outside);

@@ -15,7 +15,7 @@ namespace isoloop {
 ///   [0, tree)        a spanning forest: paired with vertices
 ///   [tree, killed)   rank H1(M) edges: the positive edges that stay unpaired
 ///   [killed, end)    edges across which a spanning forest of M's triangles runs, leaves first:
-///                    row r is paired with one triangle, whose border is killed_cycle[r - killed]
+///                    row r is paired with one triangle, whose border is killed_cycles[r - killed]
 struct SurfaceOrder {
   std::uint32_t tree = 0;
   std::uint32_t killed = 0;

@@ -18,7 +18,7 @@ import numpy
 from scipy.optimize import linear_sum_assignment
 
 FAR = 1e6  # voxels: no loop of finite size is matched with one of infinite size if it can be helped
-MARGIN = 2.6  # voxels that `isoloop generate` leaves round a shape, on each side
+MARGIN = 2.6  # shape_margin of volume/shape_field.h: voxels round a shape, on each side
 
 # Name, and voxels along the longest axis: coarse, middle, fine.
 SHAPES = [
@@ -68,18 +68,22 @@ def moves(coarse, fine, scale):
     place = [[math.dist(a[0], b[0]) for b in scaled] for a in coarse]
     size = [[size_move(a[1], b[1]) for b in scaled] for a in coarse]
     matched = list(zip(*linear_sum_assignment(numpy.add(place, size))))
-    return [place[i][j] for i, j in matched], [size[i][j] for i, j in matched]
+    finite = [size[i][j] for i, j in matched if not math.isinf(coarse[i][1])]
+    return [place[i][j] for i, j in matched], finite
 
 
 def mean_and_most(values):
+    if not values:
+        return "inf | inf"
     return f"{sum(values) / len(values):.2f} | {max(values):.2f}"
 
 
 def main():
     root = pathlib.Path(__file__).resolve().parent.parent
     isoloop = sys.argv[1] if len(sys.argv) > 1 else str(root / "build/release/tools/isoloop")
-    print("| shape | engine | kind | loops | resolution | size: mean | most | place: mean | most |")
-    print("|---|---|---|---|---|---|---|---|---|")
+    print("| shape | engine | kind | loops | coarse size: mean | resolution | size: mean move | most |"
+          " place: mean move | most |")
+    print("|---|---|---|---|---|---|---|---|---|---|")
     with tempfile.TemporaryDirectory() as directory:
         for name, sizes in SHAPES:
             for engine in ("pair", "dual"):
@@ -88,13 +92,15 @@ def main():
                 for kind in ("handle", "tunnel"):
                     coarse = found[0][kind]
                     for size, other in zip(sizes[1:], found[1:]):
+                        known = [g for _, g in coarse if not math.isinf(g)]
+                        mean = f"{sum(known) / len(known):.1f}" if known else "inf"
                         start = f"| {name} | {engine} | {kind} | {len(coarse)}"
                         if len(other[kind]) != len(coarse):
-                            print(f"{start}, {len(other[kind])} | {sizes[0]} to {size} | | | | |")
+                            print(f"{start}, {len(other[kind])} | {mean} | {sizes[0]} to {size} | | | | |")
                             continue
                         scale = voxels_per_extent(sizes[0]) / voxels_per_extent(size)
                         places, changes = moves(coarse, other[kind], scale)
-                        print(f"{start} | {sizes[0]} to {size} | {mean_and_most(changes)} |"
+                        print(f"{start} | {mean} | {sizes[0]} to {size} | {mean_and_most(changes)} |"
                               f" {mean_and_most(places)} |", flush=True)
 
 

@@ -81,7 +81,21 @@ double total_length(const testing::SmallVolume& volume, LoopKind kind, Refinemen
   return sum;
 }
 
-TEST(PairLoops, AreNoLongerWithBothRefinementsThanWithNone) {
+/// The order off M is the same, and so are the cycles that are met.
+TEST(PairLoops, AreNoLongerWithTheFirstRefinementThanWithoutIt) {
+  for (std::uint32_t seed = 0; seed < 40; ++seed) {
+    const testing::SmallVolume volume = seed % 2 == 0 ? testing::white_noise({6, 7, 6}, seed)
+                                                      : testing::smooth_noise({10, 11, 9}, seed, 1);
+    for (const LoopKind kind : {LoopKind::handle, LoopKind::tunnel}) {
+      EXPECT_LE(total_length(volume, kind, Refinement::first),
+                total_length(volume, kind, Refinement::none) + 1e-6);
+      EXPECT_LE(total_length(volume, kind, Refinement::both),
+                total_length(volume, kind, Refinement::second) + 1e-6);
+    }
+  }
+}
+
+TEST(PairLoops, OfTheseVolumesAreNoLongerWithBothRefinementsThanWithNone) {
   const std::vector<testing::SmallVolume> shapes{testing::torus({24, 24, 24}),
                                                  testing::torus({30, 31, 29}, 0.3, 0.08),
                                                  testing::torus_shell({28, 28, 28}),

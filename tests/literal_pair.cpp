@@ -124,8 +124,7 @@ class Literal {
     const bool on_surface = is_on_surface(cycle);
     Chain shortest;
     while (!cycle.empty()) {
-      if (is_on_surface(cycle) &&
-          (shortest.empty() || length(cycle) < length(shortest) * (1.0 - 1e-9)))
+      if (is_on_surface(cycle) && (shortest.empty() || is_shorter(length(cycle), length(shortest))))
         shortest = cycle;
       const auto killed = killed_by_row_.find(cycle.back());
       if (killed == killed_by_row_.end()) break;

@@ -53,6 +53,15 @@ float at(const Volume& volume, const Index3& index) {
   return std::get<std::vector<float>>(volume.values).at(static_cast<std::size_t>(v));
 }
 
+TEST(VdbReader, SpansTheActiveBoxAloneWhereNoMarginIsWanted) {
+  const TempFolder folder;
+  write_grids(folder / "a.vdb", {small_grid("density")});
+  const Volume volume = read_vdb(folder / "a.vdb", "", 0, VdbMargin::none);
+  EXPECT_EQ(volume.dims, (Index3{5, 2, 3}));
+  EXPECT_EQ(at(volume, {0, 0, 0}), 1.0F);
+  EXPECT_EQ(at(volume, {4, 1, 2}), 2.0F);
+}
+
 TEST(VdbReader, SpansTheActiveBoxAndOneLayerOfBackground) {
   const TempFolder folder;
   write_grids(folder / "a.vdb", {small_grid("density")});

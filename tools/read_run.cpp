@@ -11,7 +11,9 @@ RunResult read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flag
   RunResult run;
   run.file = volume_flags.file;
   run.nan_as = volume_flags.nan_as;
-  const ReadOptions options = read_options(volume_flags);
+  ReadOptions options = read_options(volume_flags);
+  // A layer of background would close the surface that is to end there.
+  if (level_flags.open_boundary) options.margin = VdbMargin::none;
   if (options.max_bytes > 0) cap_memory(options.max_bytes);
   run.volume = read_volume(volume_flags.file, options);
   run.range = value_range(run.volume);

@@ -131,12 +131,15 @@ void write_components(std::ostream& out, const Surface& surface) {
     return components[a].vertices > components[b].vertices;
   });
   order.resize(std::min(order.size(), most_components));
-  std::vector<Row<6>> rows{{"component", "vertices", "triangles", "χ", "genus", "bounds"}};
+  const bool open = surface.boundary == Boundary::open;
+  std::vector<Row<6>> rows{
+      {"component", "vertices", "triangles", "χ", "genus", open ? "border curves" : "bounds"}};
   for (const std::size_t i : order) {
     const SurfaceComponent& component = components[i];
-    rows.push_back({std::to_string(i), std::to_string(component.vertices),
-                    std::to_string(component.triangles), std::to_string(component.euler),
-                    std::to_string(component.genus), bounds_text(surface.boundary, component)});
+    rows.push_back(
+        {std::to_string(i), std::to_string(component.vertices), std::to_string(component.triangles),
+         std::to_string(component.euler), std::to_string(component.genus),
+         open ? std::to_string(component.borders) : bounds_text(surface.boundary, component)});
   }
   out << '\n';
   write_rows(out, rows, {false, false, false, false, false, true});
@@ -177,11 +180,11 @@ void write_loops(std::ostream& out, const RunResult& run) {
   if (run.reported.size() != run.analysis.loops.size()) {
     out << "reported: " << run.reported.size() << " of "
         << counted(static_cast<std::int64_t>(run.analysis.loops.size()), "loop", "loops")
-        << ", as --min-size, --max-size and --side ask\n";
+        << ", as --min-size" << (open ? " and --max-size" : ", --max-size and --side") << " ask\n";
   }
   if (open) {
-    out << "verified: every loop is closed and lies on M; together they are independent in H1(M), "
-        << "as many as its rank " << run.analysis.betti.b1 << '\n';
+    out << "verified: every loop is closed and lies on M, and none is a sum of others; "
+        << run.analysis.loops.size() << " = b1\n";
     return;
   }
   const std::int64_t genus = run.analysis.surface.genus();

@@ -34,7 +34,7 @@ Volume read_by_kind(const std::filesystem::path& path, const ReadOptions& option
                        supported_extensions());
   }
   return *kind == FileKind::raw ? read_raw(path, options.raw, options.max_bytes)
-                                : read_vdb(path, options.grid, options.max_bytes);
+                                : read_vdb(path, options.grid, options.max_bytes, options.margin);
 }
 
 template <class T>

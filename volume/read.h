@@ -7,13 +7,15 @@
 #include <string>
 
 #include "volume/raw.h"
+#include "volume/vdb.h"
 #include "volume/volume.h"
 
 namespace isoloop {
 
 struct ReadOptions {
-  RawOptions raw{};                // for .raw files
-  std::string grid{};              // grid of a .vdb file, see read_vdb; empty: the only scalar one
+  RawOptions raw{};    // for .raw files
+  std::string grid{};  // grid of a .vdb file, see read_vdb; empty: the only scalar one
+  VdbMargin margin = VdbMargin::background;  // of a .vdb file
   std::optional<double> nan_as{};  // takes the place of NaN, in voxel values; unset: NaN is refused
   std::uint64_t max_bytes = 0;     // most bytes of voxels; 0: 80 % of the available memory
 };

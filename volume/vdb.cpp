@@ -118,8 +118,9 @@ void set_frame(Volume& volume, const openvdb::math::Transform& transform,
   volume.frame = Frame::world;
 }
 
-/// The active voxels' box and one layer round it.
-openvdb::CoordBBox padded_active_box(const openvdb::GridBase& grid, const std::string& what) {
+/// The active voxels' box and the margin round it.
+openvdb::CoordBBox box_of(const openvdb::GridBase& grid, VdbMargin margin,
+                          const std::string& what) {
   const openvdb::CoordBBox box = grid.evalActiveVoxelBoundingBox();
   if (box.empty()) throw InvalidInput(what + " has no active voxels");
   for (int axis = 0; axis < 3; ++axis) {
@@ -128,7 +129,8 @@ openvdb::CoordBBox padded_active_box(const openvdb::GridBase& grid, const std::s
       throw InvalidInput(what + " reaches the end of OpenVDB's index space; crop it first");
     }
   }
-  return {box.min().offsetBy(-1), box.max().offsetBy(1)};
+  const int layers = margin == VdbMargin::background ? 1 : 0;
+  return {box.min().offsetBy(-layers), box.max().offsetBy(layers)};
 }
 
 template <class Grid>
@@ -187,11 +189,11 @@ openvdb::FloatGrid::Ptr to_grid(const Volume& volume, const std::string& what) {
 
 }  // namespace
 
-Volume read_vdb(const std::filesystem::path& path, const std::string& grid,
-                std::uint64_t max_bytes) {
+Volume read_vdb(const std::filesystem::path& path, const std::string& grid, std::uint64_t max_bytes,
+                VdbMargin margin) {
   const openvdb::GridBase::ConstPtr chosen = choose_grid(read_grids(path), grid, path.string());
   const std::string what = path.string() + ": grid '" + chosen->getName() + "'";
-  const openvdb::CoordBBox box = padded_active_box(*chosen, what);
+  const openvdb::CoordBBox box = box_of(*chosen, margin, what);
   Volume volume;
   set_frame(volume, chosen->transform(), box.min(), what);
   for (std::size_t axis = 0; axis < 3; ++axis) {

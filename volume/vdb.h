@@ -10,17 +10,19 @@
 
 namespace isoloop {
 
+/// What surrounds the box of the active voxels: one layer of background, or nothing.
+enum class VdbMargin { background, none };
+
 /// Reads the float or double grid called `grid`; if that is empty, the only one in the file. Grids
 /// that share a name are called NAME[0], NAME[1], ... in the order of the file.
-/// The volume spans the box of the grid's active voxels and one layer of background round it;
-/// inactive voxels keep their values. Its frame is `world`, its origin the world position of the
-/// box's lowest corner; level_set is set for grids of that class. NaN passes.
-/// Throws InvalidArgument (several grids fit, or none has that name),
-/// LimitExceeded (the box's voxels take more than max_bytes; 0: default_voxel_limit()), and
-/// InvalidInput: a damaged or truncated file, a grid of another type, without active voxels, or
-/// with a sheared or perspective transform.
+/// The volume spans the box of the grid's active voxels and the margin round it; inactive voxels
+/// keep their values. Its frame is `world`, its origin the world position of the box's lowest
+/// corner; level_set is set for grids of that class. NaN passes. Throws InvalidArgument (several
+/// grids fit, or none has that name), LimitExceeded (the box's voxels take more than max_bytes; 0:
+/// default_voxel_limit()), and InvalidInput: a damaged or truncated file, a grid of another type,
+/// without active voxels, or with a sheared or perspective transform.
 Volume read_vdb(const std::filesystem::path& path, const std::string& grid,
-                std::uint64_t max_bytes = 0);
+                std::uint64_t max_bytes = 0, VdbMargin margin = VdbMargin::background);
 
 /// Writes one float grid with the volume's name, class and transform, blosc-compressed. Values
 /// become float32: integers above 2^24 and doubles are rounded. The background is the largest
