@@ -1,0 +1,126 @@
+#!/usr/bin/python3
+"""Tables, in Markdown, and a plot of what tests/bench/whole_runs.py measured.
+
+    tests/bench/report.py RUNS.csv [--plot PLOT.svg]
+
+Medians over repeated runs. Needs python3-matplotlib for the plot."""
+
+import argparse
+import collections
+import csv
+import math
+import statistics
+
+STAGES = ["surface", "closest", "sizes", "pass", "loops"]
+GIB = 2.0 ** 30
+
+
+def medians(path):
+    """(volume, size, program, threads) to a row of medians, in the order of the file."""
+    runs = collections.defaultdict(list)
+    with open(path, newline="") as file:
+        for row in csv.DictReader(file):
+            key = (row["volume"], int(row["size"]), row["program"], int(row["threads"]))
+            runs[key].append(row)
+    merged = {}
+    for key, rows in runs.items():
+        merged[key] = dict(rows[0])
+        for column in ("cpu_s", "wall_s", "peak_bytes", *STAGES):
+            values = [float(row[column]) for row in rows if row[column] != ""]
+            if values:
+                merged[key][column] = statistics.median(values)
+    return merged
+
+
+def table(header, rows):
+    print("| " + " | ".join(header) + " |")
+    print("|" + "---|" * len(header))
+    for row in rows:
+        print("| " + " | ".join(row) + " |")
+    print()
+
+
+def print_runs(rows):
+    threads = max(key[3] for key in rows)
+    lines = []
+    for (volume, size, program, used), row in rows.items():
+        if program != "isoloop loops" or used != 1:
+            continue
+        count = rows[volume, size, "isoloop count", threads]
+        all_cores = rows[volume, size, program, threads]
+        peak = float(all_cores["peak_bytes"])
+        lines.append([volume, str(size), row["genus"], f"{count['cpu_s']:.2f}",
+                      f"{row['cpu_s']:.2f}", f"{all_cores['wall_s']:.2f}", f"{peak / GIB:.2f}",
+                      f"{peak / int(row['voxels']):.0f}",
+                      *(f"{row[stage]:.2f}" for stage in STAGES)])
+    table(["volume", "size", "genus", "count: CPU s", "loops: CPU s, 1 thread",
+           f"wall s, {threads} threads", "peak GiB", "bytes a voxel", *(f"{s} s" for s in STAGES)],
+          lines)
+
+
+def print_growth(rows):
+    lines = []
+    by_volume = collections.defaultdict(list)
+    for (volume, size, program, threads), row in rows.items():
+        if program == "isoloop loops" and threads == 1:
+            by_volume[volume].append((size, int(row["voxels"]), row["cpu_s"]))
+    for volume, points in by_volume.items():
+        for (size_a, voxels_a, cpu_a), (size_b, voxels_b, cpu_b) in zip(points, points[1:]):
+            exponent = math.log(cpu_b / cpu_a) / math.log(voxels_b / voxels_a)
+            lines.append([volume, f"{size_a} to {size_b}", f"{voxels_b / voxels_a:.2f}",
+                          f"{cpu_b / cpu_a:.2f}", f"{exponent:.2f}", f"{8.0 ** exponent:.1f}"])
+    table(["shape", "size", "voxels: factor", "CPU: factor", "exponent", "CPU for 8 x the voxels"],
+          lines)
+
+
+def print_rivals(rows):
+    lines = []
+    for (volume, size, program, _), row in rows.items():
+        if program.startswith("isoloop"):
+            continue
+        own_name = "isoloop loops" if program in ("gudhi", "phat") else "isoloop count"
+        own = next(r for k, r in rows.items() if k[:3] == (volume, size, own_name))
+        lines.append([volume, str(size), program, f"{row['cpu_s']:.2f}", own_name,
+                      f"{own['cpu_s']:.2f}", f"{row['cpu_s'] / own['cpu_s']:.2f}",
+                      f"{float(row['peak_bytes']) / float(own['peak_bytes']):.1f}"])
+    table(["volume", "size", "program", "its CPU s", "beside", "CPU s", "CPU: ratio",
+           "memory: ratio"], lines)
+
+
+def plot(rows, path):
+    import matplotlib
+    matplotlib.use("Agg")
+    matplotlib.rcParams["svg.hashsalt"] = "isoloop"
+    from matplotlib import pyplot
+    figure, axes = pyplot.subplots(figsize=(7, 5))
+    series = collections.defaultdict(list)
+    for (volume, _, program, threads), row in rows.items():
+        if program == "isoloop loops" and threads == 1:
+            series[volume].append((int(row["voxels"]), row["cpu_s"]))
+    for volume, points in series.items():
+        axes.loglog(*zip(*points), marker="o", markersize=4, label=volume)
+    axes.set_xlabel("voxels")
+    axes.set_ylabel("CPU seconds, loops, one thread")
+    axes.grid(True, which="major", alpha=0.3)
+    axes.legend(fontsize=8)
+    figure.tight_layout()
+    figure.savefig(path, metadata={"Date": None})
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("runs")
+    parser.add_argument("--plot")
+    arguments = parser.parse_args()
+    rows = medians(arguments.runs)
+    print_runs(rows)
+    print_growth(rows)
+    if any(not key[2].startswith("isoloop") for key in rows):
+        print_rivals(rows)
+    if arguments.plot:
+        plot(rows, arguments.plot)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,188 @@
+#!/usr/bin/python3
+"""Measures whole runs of isoloop, and what one might run instead, on shapes and real volumes.
+
+    tests/bench/whole_runs.py [--sizes 64 128 256] [--repeat 5] [--rivals NAME ...] [--only NAME ...]
+                              [--isoloop PROGRAM] [--data FOLDER] -o RUNS.csv
+
+One line a run: CPU and wall-clock seconds, peak memory, and the wall-clock seconds of each stage.
+Each volume is measured with one thread, whose wall clock is its CPU time by stage, and with all.
+tests/bench/report.py makes tables and a plot of it. Rivals are gudhi, skimage
+and vtk (python3-gudhi, python3-skimage, python3-vtk9) and phat (target isoloop_bench_phat)."""
+
+import argparse
+import csv
+import json
+import os
+import pathlib
+import shlex
+import subprocess
+import sys
+import tempfile
+import time
+
+import numpy
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SHAPES = {name: [name] for name in ("ball", "engine_block", "gyroid", "lattice", "linked_tori",
+                                    "nested_tori", "plate", "shell", "torus", "trefoil")}
+SHAPES["lattice_7"] = ["lattice", "--cells", "7"]  # b1 = 833
+REAL = [("engine", "engine_256x256x128_uint8.raw", 70),
+        ("engine_half", "engine_half_128x128x64_uint8.raw", 70),
+        ("aneurism", "aneurism_256x256x256_uint8.raw", 51),
+        ("hydrogen", "hydrogen_128x128x128_uint8.raw", 15),
+        ("fuel", "fuel_64x64x64_uint8.raw", 15)]
+STAGES = ["read", "surface", "closest", "sizes", "pass", "loops"]
+COLUMNS = ["volume", "size", "voxels", "program", "threads", "cpu_s", "wall_s", "peak_bytes",
+           "bytes_per_voxel", "genus", *STAGES, "result"]
+RIVALS = ["gudhi", "phat", "skimage", "vtk"]
+
+
+class Volume:
+    def __init__(self, name, size, voxels, flags, array):
+        self.name, self.size, self.voxels, self.flags, self.array = name, size, voxels, flags, array
+
+
+def timed(command):
+    """(stdout, CPU seconds, wall seconds, peak bytes) of a process; None where it fails."""
+    start = time.monotonic()
+    with tempfile.TemporaryFile() as out:
+        process = subprocess.Popen([str(word) for word in command], stdout=out,
+                                   stderr=subprocess.DEVNULL)
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        wall = time.monotonic() - start
+        out.seek(0)
+        text = out.read().decode()
+    if process.returncode != 0:
+        print(f"exit code {process.returncode}: {shlex.join(str(w) for w in command)}",
+              file=sys.stderr)
+        return None
+    return text, usage.ru_utime + usage.ru_stime, wall, usage.ru_maxrss * 1024
+
+
+def run_isoloop(program, volume, command, threads):
+    flags = ["--threads", threads] if command == "loops" else []
+    measured = timed([program, command, *volume.flags, *flags, "--json", "-"])
+    if measured is None:
+        return None
+    text, cpu, wall, peak = measured
+    report = json.loads(text)
+    genus = report["surface"]["genus"]
+    return {"program": f"isoloop {command}", "threads": threads, "cpu_s": cpu, "wall_s": wall,
+            "peak_bytes": peak, "genus": genus, "result": f"{report['betti']['b1']} tunnels",
+            **{stage: report["seconds"].get(stage, 0.0) for stage in STAGES}}
+
+
+def run_rival(name, phat, volume, work):
+    if name == "phat":
+        if not phat.exists():
+            return None
+        file, iso, side = volume.flags[0], volume.flags[volume.flags.index("--iso") + 1], "above"
+        if "below" in volume.flags:
+            side = "below"
+        measured = timed([phat, file, iso, side])
+        if measured is None:
+            return None
+        text, cpu, wall, peak = measured
+        return {"program": name, "threads": 1, "cpu_s": cpu, "wall_s": wall, "peak_bytes": peak,
+                "result": text.strip()}
+    array, iso = volume.array()
+    file = work / "rival.npy"
+    numpy.save(file, array)
+    measured = timed(["/usr/bin/python3", ROOT / "tests/bench/rivals.py", name, file, iso])
+    if measured is None:
+        return None
+    text, _, wall, peak = measured
+    seconds, result = text.strip().split(" ", 1)
+    return {"program": name, "threads": 1, "cpu_s": float(seconds), "wall_s": wall,
+            "peak_bytes": peak, "result": result}
+
+
+def shape_volume(isoloop, name, size, work):
+    path = work / f"{name}_{size}.raw"
+    made = subprocess.run([isoloop, "generate", *SHAPES[name], "--size", str(size), "-o", path],
+                          capture_output=True, text=True)
+    if made.returncode != 0:
+        print(made.stderr.strip(), file=sys.stderr)
+        return None
+    # generate tells the command that reads its file.
+    flags = shlex.split(made.stderr.split("isoloop loops ", 1)[1].splitlines()[0])
+    place = flags.index("--dims")
+    dims = [int(n) for n in flags[place + 1:place + 4]]
+    path = path.rename(work / f"{name}_{'x'.join(map(str, dims))}_float32.raw")
+    flags = [path, *flags[flags.index("--inside"):]]
+    voxels = dims[0] * dims[1] * dims[2]
+
+    def array():
+        values = numpy.fromfile(path, numpy.float32).reshape(dims, order="F")
+        return -values, 0.0  # inside is below
+
+    return Volume(name, size, voxels, flags, array)
+
+
+def real_volume(data, name, file, iso):
+    path = data / "volumes" / file
+    if not path.exists():
+        print(f"needs {path}", file=sys.stderr)
+        return None
+    dims = [int(n) for n in file.rsplit("_", 2)[1].split("x")]
+
+    def array():
+        return numpy.fromfile(path, numpy.uint8).reshape(dims, order="F"), iso
+
+    return Volume(name, max(dims), dims[0] * dims[1] * dims[2], [path, "--iso", iso], array)
+
+
+def measure(arguments, volume, work, out):
+    def write(row):
+        if row is None:
+            return
+        row = {**row, "volume": volume.name, "size": volume.size, "voxels": volume.voxels,
+               "bytes_per_voxel": row["peak_bytes"] / volume.voxels}
+        out.writerow({key: f"{value:.4f}" if isinstance(value, float) else value
+                      for key, value in row.items()})
+
+    for _ in range(arguments.repeat):
+        for command in ("count", "loops"):
+            for threads in ([1, os.cpu_count()] if command == "loops" else [os.cpu_count()]):
+                write(run_isoloop(arguments.isoloop, volume, command, threads))
+    for name in arguments.rivals:
+        write(run_rival(name, arguments.phat, volume, work))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    build = ROOT / "build/release"
+    parser.add_argument("-o", "--output", type=pathlib.Path, required=True)
+    parser.add_argument("--sizes", type=int, nargs="*", default=[64, 128, 256])
+    parser.add_argument("--repeat", type=int, default=1)
+    parser.add_argument("--rivals", nargs="*", choices=RIVALS, default=[],
+                        help="gudhi and phat take minutes and gigabytes at 256")
+    parser.add_argument("--only", nargs="*", help="names of shapes and real volumes")
+    parser.add_argument("--isoloop", type=pathlib.Path, default=build / "tools/isoloop")
+    parser.add_argument("--phat", type=pathlib.Path,
+                        default=build / "tests/bench/isoloop_bench_phat")
+    parser.add_argument("--data", type=pathlib.Path, default=ROOT.parent / "shared/data")
+    arguments = parser.parse_args()
+    with (tempfile.TemporaryDirectory() as directory,
+          open(arguments.output, "w", newline="") as file):
+        work = pathlib.Path(directory)
+        out = csv.DictWriter(file, COLUMNS)
+        out.writeheader()
+        wanted = [lambda n=name, s=size: shape_volume(arguments.isoloop, n, s, work)
+                  for size in arguments.sizes for name in SHAPES
+                  if not arguments.only or name in arguments.only]
+        wanted += [lambda r=real: real_volume(arguments.data, *r) for real in REAL
+                   if not arguments.only or real[0] in arguments.only]
+        for make in wanted:
+            volume = make()
+            if volume is not None:
+                measure(arguments, volume, work, out)
+                file.flush()
+            for path in work.iterdir():
+                path.unlink()
+
+
+if __name__ == "__main__":
+    main()
