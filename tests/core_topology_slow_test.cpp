@@ -22,28 +22,37 @@ TEST(TopologySlow, AMillionCubesHaveThePartsOfTheRefinedCubes) {
       comparison.wrong);
 }
 
-TEST(TopologySlow, SolidsInGaussianFieldsHaveTheRefinedEulerCharacteristic) {
-  for (const std::int64_t size : {64, 128})
-    for (const double sigma : {1.0, 2.0, 4.0})
-      for (std::uint32_t seed = 0; seed < 10; ++seed) {
-        const testing::SmallVolume volume =
-            testing::gaussian_field({size, size, size}, sigma, seed);
-        const testing::RefinedEuler expected = testing::refined_euler(volume);
-        EXPECT_LT(1000 * expected.unresolved, expected.cubes);
-        const auto euler_of = [&](Topology topology) {
-          const IsoLevel level{0.0, InsideRule::above, topology};
-          return count_topology(volume.view(), level).surface.euler() / 2;
-        };
-        EXPECT_EQ(euler_of(Topology::trilinear), expected.euler) << sigma << " seed " << seed;
-        std::printf(
-            "%3d^3 sigma %g seed %2u: refined %6d (%d of %d cubes too fine for voxels), simple "
-            "%d\n",
-            static_cast<int>(size), sigma, seed, static_cast<int>(expected.euler),
-            static_cast<int>(expected.unresolved), static_cast<int>(expected.cubes),
-            static_cast<int>(euler_of(Topology::simple)));
-        std::fflush(stdout);
-      }
+struct FieldKind {
+  std::int64_t size;  // voxels along each axis
+  double sigma;       // of the Gaussian that white noise is smoothed by; voxels
+};
+
+class GaussianFields : public ::testing::TestWithParam<FieldKind> {};
+
+TEST_P(GaussianFields, BoundSolidsOfTheRefinedEulerCharacteristic) {
+  const auto& [size, sigma] = GetParam();
+  for (std::uint32_t seed = 0; seed < 10; ++seed) {
+    const testing::SmallVolume volume = testing::gaussian_field({size, size, size}, sigma, seed);
+    const testing::RefinedEuler expected = testing::refined_euler(volume);
+    EXPECT_LT(1000 * expected.unresolved, expected.cubes);
+    const auto euler_of = [&](Topology topology) {
+      const IsoLevel level{0.0, InsideRule::above, topology};
+      return count_topology(volume.view(), level).surface.euler() / 2;
+    };
+    EXPECT_EQ(euler_of(Topology::trilinear), expected.euler) << sigma << " seed " << seed;
+    std::printf(
+        "%3d^3 sigma %g seed %2u: refined %6d (%d of %d cubes too fine for voxels), simple %d\n",
+        static_cast<int>(size), sigma, seed, static_cast<int>(expected.euler),
+        static_cast<int>(expected.unresolved), static_cast<int>(expected.cubes),
+        static_cast<int>(euler_of(Topology::simple)));
+    std::fflush(stdout);
+  }
 }
+
+INSTANTIATE_TEST_SUITE_P(TopologySlow, GaussianFields,
+                         ::testing::Values(FieldKind{64, 1.0}, FieldKind{64, 2.0},
+                                           FieldKind{64, 4.0}, FieldKind{128, 1.0},
+                                           FieldKind{128, 2.0}, FieldKind{128, 4.0}));
 
 }  // namespace
 }  // namespace isoloop
