@@ -204,7 +204,8 @@ TEST(Cube, AWallPartsTheTrianglesAtItsVertices) {
   // Neighbours in the fan at a vertex of the wall lie on different sides exactly across the wall;
   // on a grid edge the far side is that of the face that comes last round it.
   for_each_tunnel([&](unsigned, unsigned, const CubeCut&, int, const TunnelCut& tunnel) {
-    const auto& [cut, wall] = tunnel;
+    const CubeCut& cut = tunnel.cut;
+    const CubeWall& wall = tunnel.wall;
     for (std::size_t k = 0; k < 3; ++k) {
       const int hub = wall.on_m[k];
       std::map<int, std::vector<bool>> sides_of_rim;  // by the fan's rim vertices
@@ -220,7 +221,9 @@ TEST(Cube, AWallPartsTheTrianglesAtItsVertices) {
       const auto on_wall = [&](int rim) {
         return k == 1 ? rim == wall.on_m[0] || rim == wall.on_m[2] : rim == wall.on_m[1];
       };
-      for (const auto& [rim, sides] : sides_of_rim) {
+      for (const auto& entry : sides_of_rim) {
+        const int rim = entry.first;
+        const std::vector<bool>& sides = entry.second;
         if (sides.size() == 2) {
           EXPECT_EQ(sides[0] != sides[1], on_wall(rim));
           continue;

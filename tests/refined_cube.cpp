@@ -14,12 +14,12 @@ struct Samples {
   explicit Samples(int count)
       : n(count), rows(static_cast<std::size_t>(count + 2) * static_cast<std::size_t>(count + 2)) {}
 
-  std::uint64_t& row(int y, int z) {
-    return rows[static_cast<std::size_t>((y + 1) + (n + 2) * (z + 1))];
+  std::size_t place(int y, int z) const {
+    const int at = (y + 1) + (n + 2) * (z + 1);
+    return static_cast<std::size_t>(at);
   }
-  std::uint64_t row(int y, int z) const {
-    return rows[static_cast<std::size_t>((y + 1) + (n + 2) * (z + 1))];
-  }
+  std::uint64_t& row(int y, int z) { return rows[place(y, z)]; }
+  std::uint64_t row(int y, int z) const { return rows[place(y, z)]; }
 
   int n;
   std::vector<std::uint64_t> rows;
