@@ -110,6 +110,64 @@ BorderedSide border_of(const Surface& surface, const SurfaceClasses& classes,
   return side;
 }
 
+/// What the passes leave to the search for loops.
+struct Solved {
+  const Surface& surface;
+  const GridComplex& inside;
+  const GridComplex& outside;
+  const Passes& passes;
+  const std::vector<std::uint32_t>& closest;
+};
+
+SurfaceClasses classes_of(const Solved& solved) {
+  if (solved.surface.boundary == Boundary::open) return surface_classes(solved.surface);
+  return surface_classes(solved.surface, solved.inside, solved.passes.inside, solved.outside,
+                         solved.passes.outside);
+}
+
+std::vector<Loop> loops_near_pieces(const Solved& solved, const SurfaceClasses& classes,
+                                    const BorderedSide& in, const BorderedSide& out) {
+  std::vector<Loop> loops =
+      loops_of_side(solved.surface, classes,
+                    {solved.inside, solved.passes.inside, in.borders, in.classes}, solved.closest);
+  std::vector<Loop> of_outside = loops_of_side(
+      solved.surface, classes, {solved.outside, solved.passes.outside, out.borders, out.classes},
+      solved.closest);
+  if (solved.surface.boundary == Boundary::open)
+    return merged_by_size(std::move(loops), std::move(of_outside));
+  std::move(of_outside.begin(), of_outside.end(), std::back_inserter(loops));
+  return loops;
+}
+
+/// Members as in Analysis.
+struct ProvedLoops {
+  std::vector<Loop> loops;
+  double least_handle_length = 0.0;
+  double least_tunnel_length = 0.0;
+};
+
+/// Finds and certifies the loops, and makes them as short as the options say.
+ProvedLoops prove_loops(const Solved& solved, const AnalysisOptions& options,
+                        const std::vector<SurfacePair>& pairs) {
+  const Surface& surface = solved.surface;
+  const SurfaceClasses classes = classes_of(solved);
+  const BorderedSide in = border_of(surface, classes, solved.inside, solved.passes.inside);
+  const BorderedSide out = border_of(surface, classes, solved.outside, solved.passes.outside);
+  ProvedLoops proved;
+  std::vector<Loop>& loops = proved.loops;
+  loops = options.engine == Engine::pair ? loops_of_pairs(surface, pairs)
+                                         : loops_near_pieces(solved, classes, in, out);
+  certify(surface, classes, loops);
+  if (options.tighten == Tighten::none || surface.boundary == Boundary::open) return proved;
+  const SideLoops handles{{loops.data(), loops.size() / 2}, in.classes};
+  const SideLoops tunnels{{loops.data() + loops.size() / 2, loops.size() / 2}, out.classes};
+  proved.least_handle_length = shorten_basis(surface, classes, handles, tunnels);
+  proved.least_tunnel_length = shorten_basis(surface, classes, tunnels, handles);
+  certify(surface, classes, loops);
+  if (options.tighten == Tighten::curve) straighten_loops(surface, classes, loops);
+  return proved;
+}
+
 std::uint64_t count_volume_triangles(const Cut& cut) {
   const EdgeSizes no_sizes;  // counting asks for none
   return fan_triangle_count(GridComplex(cut.sides, cut.edges, no_sizes, Side::inside)) +
@@ -155,38 +213,12 @@ Analysis find_loops(const AnyGridView& grid, const IsoLevel& level,
         if (orders_by_size(options.pair.refinement)) check_engines_agree(pairs, passes);
         return pairs;
       });
-    analysis.loops = clock.run("loops", 0.8, seconds.loops, [&] {
-      const bool open = surface.boundary == Boundary::open;
-      const SurfaceClasses classes =
-          open ? surface_classes(surface)
-               : surface_classes(surface, inside, passes.inside, outside, passes.outside);
-      const BorderedSide in = border_of(surface, classes, inside, passes.inside);
-      const BorderedSide out = border_of(surface, classes, outside, passes.outside);
-      std::vector<Loop> loops;
-      if (options.engine == Engine::pair) {
-        loops = loops_of_pairs(surface, analysis.pairs);
-      } else {
-        loops = loops_of_side(surface, classes, {inside, passes.inside, in.borders, in.classes},
-                              closest);
-        std::vector<Loop> tunnels = loops_of_side(
-            surface, classes, {outside, passes.outside, out.borders, out.classes}, closest);
-        if (open) {
-          loops = merged_by_size(std::move(loops), std::move(tunnels));
-        } else {
-          std::move(tunnels.begin(), tunnels.end(), std::back_inserter(loops));
-        }
-      }
-      certify(surface, classes, loops);
-      if (options.tighten != Tighten::none && !open) {
-        const SideLoops handles{{loops.data(), loops.size() / 2}, in.classes};
-        const SideLoops tunnels{{loops.data() + loops.size() / 2, loops.size() / 2}, out.classes};
-        analysis.least_handle_length = shorten_basis(surface, classes, handles, tunnels);
-        analysis.least_tunnel_length = shorten_basis(surface, classes, tunnels, handles);
-        certify(surface, classes, loops);
-        if (options.tighten == Tighten::curve) straighten_loops(surface, classes, loops);
-      }
-      return loops;
-    });
+    const Solved solved{surface, inside, outside, passes, closest};
+    ProvedLoops proved = clock.run("loops", 0.8, seconds.loops,
+                                   [&] { return prove_loops(solved, options, analysis.pairs); });
+    analysis.loops = std::move(proved.loops);
+    analysis.least_handle_length = proved.least_handle_length;
+    analysis.least_tunnel_length = proved.least_tunnel_length;
   }
   if (options.count_volume_triangles && !cut.sides.empty())
     analysis.volume_triangles = count_volume_triangles(cut);
