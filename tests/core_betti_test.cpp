@@ -12,6 +12,7 @@
 #include "core/sides.h"
 #include "tests/core_fixture.h"
 #include "tests/explicit_complex.h"
+#include "tests/slow_reduction.h"
 
 namespace isoloop {
 namespace {

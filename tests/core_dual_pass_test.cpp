@@ -1,8 +1,5 @@
-#include <algorithm>
 #include <atomic>
 #include <functional>
-#include <map>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,30 +8,15 @@
 #include <tbb/parallel_for.h>
 
 #include "core/dual_pass.h"
-#include "core/order.h"
 #include "tests/core_fixture.h"
 #include "tests/explicit_complex.h"
+#include "tests/slow_killing.h"
 
 namespace isoloop {
 namespace {
 
 using testing::Prepared;
 using testing::SmallVolume;
-
-using EdgeSet = std::set<std::uint32_t>;
-
-EdgeSet grid_edges(const GridComplex& complex, std::uint32_t piece) {
-  const auto edges = complex.edges_of(piece);
-  return {edges.begin(), edges.end()};
-}
-
-EdgeSet grid_edges(const oracle::ExplicitComplex& slow, const oracle::ExplicitComplex::Cell& face) {
-  EdgeSet edges;
-  for (const int edge : face.boundary)
-    if (slow.edges[static_cast<std::size_t>(edge)].place == face.place)
-      edges.insert(slow.grid_edge_of_edge[static_cast<std::size_t>(edge)]);
-  return edges;
-}
 
 /// Compares the killing pieces with those of the slow reduction, and says what differs if anything
 /// does. Adds their number to `compared`.
@@ -45,41 +27,11 @@ std::string compare_with_oracle(const SmallVolume& volume, std::atomic<std::size
       volume.values, volume.dims, prepared.sides.lattice, testing::walls_of(prepared.sides));
   for (const Side side : {Side::inside, Side::outside}) {
     const GridComplex& complex = prepared.complex(side);
-    const auto place = side == Side::inside ? oracle::ExplicitComplex::Place::inside
-                                            : oracle::ExplicitComplex::Place::outside;
-    // Walls in two neighbouring cubes may lie on the same grid edges: the cube tells which is
-    // which.
-    constexpr auto no_cube = static_cast<std::uint32_t>(-1);
-    std::map<std::uint32_t, std::uint32_t> cube_of_wall;
-    for (const GridComplex::Beyond& beyond : complex.beyond_walls())
-      cube_of_wall[beyond.piece] = beyond.cube;
-    std::map<std::pair<EdgeSet, std::uint32_t>, int> face_of_edges;
-    for (std::size_t face = 0; face < slow.faces.size(); ++face)
-      if (slow.faces[face].place == place) {
-        const auto wall = slow.cube_of_wall.find(static_cast<int>(face));
-        face_of_edges.emplace(std::pair(grid_edges(slow, slow.faces[face]),
-                                        wall == slow.cube_of_wall.end() ? no_cube : wall->second),
-                              static_cast<int>(face));
-      }
-    std::vector<std::uint32_t> order = pieces_from_largest(complex);
-    std::reverse(order.begin(), order.end());
-    if (order.size() != face_of_edges.size()) return "the pieces differ in number";
-    std::vector<int> faces;
-    std::map<int, std::uint32_t> piece_of_face;
-    for (const std::uint32_t piece : order) {
-      const auto wall = cube_of_wall.find(piece);
-      const auto found = face_of_edges.find(
-          {grid_edges(complex, piece), wall == cube_of_wall.end() ? no_cube : wall->second});
-      if (found == face_of_edges.end()) return "the oracle lacks a piece";
-      faces.push_back(found->second);
-      piece_of_face[found->second] = piece;
-    }
-    std::vector<std::uint32_t> expected;
-    for (const int face : oracle::killing_faces(slow, faces))
-      expected.push_back(piece_of_face.at(face));
+    const std::vector<testing::SidedPiece> expected =
+        testing::slow_killing_pieces(prepared, slow, {&side, 1});
     const DualPass pass = dual_pass(complex);
-    std::vector<std::uint32_t> found;
-    for (const KillingPiece& killing : pass.killing) found.push_back(killing.piece);
+    std::vector<testing::SidedPiece> found;
+    for (const KillingPiece& killing : pass.killing) found.push_back({side, killing.piece});
     if (found != expected)
       return "the killing pieces differ: " + std::to_string(found.size()) + " and " +
              std::to_string(expected.size());

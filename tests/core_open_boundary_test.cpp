@@ -4,11 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
-#include <map>
-#include <set>
 #include <string>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -16,16 +12,18 @@
 
 #include "core/analysis.h"
 #include "core/errors.h"
-#include "core/order.h"
 #include "tests/core_fixture.h"
 #include "tests/explicit_complex.h"
 #include "tests/pair_comparison.h"
+#include "tests/slow_killing.h"
+#include "tests/slow_reduction.h"
 
 namespace isoloop {
 namespace {
 
 using oracle::ExplicitComplex;
 using testing::Prepared;
+using testing::SidedPiece;
 using testing::SmallVolume;
 
 AnalysisOptions open_options(Engine engine = Engine::dual) {
@@ -178,85 +176,28 @@ TEST(OpenBoundary, EulerCharacteristicAndBordersAddUp) {
   }
 }
 
-/// The interior edges of a face, and its cube if it is a wall: two walls may have the same edges.
-struct FaceKey {
-  ExplicitComplex::Place place;
-  std::set<std::uint32_t> edges;
-  std::uint32_t cube_of_wall = static_cast<std::uint32_t>(-1);
-  auto operator<=>(const FaceKey&) const = default;
-};
-
 /// Both engines against the slow reduction of the two sides in one filtration; what differs.
 std::string compare_with_oracle(const SmallVolume& volume, std::atomic<std::size_t>& compared) {
   const Prepared prepared(volume, GeodesicMode::exact, Boundary::open);
   if (prepared.surface.points.empty()) return "";
   const ExplicitComplex slow = oracle::build_complex(
       volume.values, volume.dims, prepared.sides.lattice, testing::walls_of(prepared.sides));
-  std::map<FaceKey, int> face_of_edges;
-  for (std::size_t face = 0; face < slow.faces.size(); ++face) {
-    const auto& cell = slow.faces[face];
-    if (cell.place == ExplicitComplex::Place::on_m) continue;
-    FaceKey key{cell.place, {}};
-    for (const int edge : cell.boundary)
-      if (slow.edges[static_cast<std::size_t>(edge)].place == cell.place)
-        key.edges.insert(slow.grid_edge_of_edge[static_cast<std::size_t>(edge)]);
-    const auto wall = slow.cube_of_wall.find(static_cast<int>(face));
-    if (wall != slow.cube_of_wall.end()) key.cube_of_wall = wall->second;
-    face_of_edges.emplace(std::move(key), static_cast<int>(face));
-  }
-  struct Entry {
-    float size;
-    std::uint32_t piece;
-    Side side;
-    int face;
-  };
-  std::vector<Entry> order;
-  for (const Side side : {Side::inside, Side::outside}) {
-    const GridComplex& complex = prepared.complex(side);
-    const auto place =
-        side == Side::inside ? ExplicitComplex::Place::inside : ExplicitComplex::Place::outside;
-    std::map<std::uint32_t, std::uint32_t> cube_of_wall;
-    for (const GridComplex::Beyond& beyond : complex.beyond_walls())
-      cube_of_wall[beyond.piece] = beyond.cube;
-    for (const std::uint32_t piece : complex.pieces()) {
-      const auto edges = complex.edges_of(piece);
-      FaceKey key{place, {edges.begin(), edges.end()}};
-      const auto wall = cube_of_wall.find(piece);
-      if (wall != cube_of_wall.end()) key.cube_of_wall = wall->second;
-      const auto found = face_of_edges.find(key);
-      if (found == face_of_edges.end()) return "the oracle lacks a piece";
-      order.push_back({complex.size(piece), piece, side, found->second});
-    }
-  }
-  if (order.size() != face_of_edges.size()) return "the pieces differ in number";
-  std::stable_sort(order.begin(), order.end(), [](const Entry& a, const Entry& b) {
-    return std::pair(a.size, a.piece) < std::pair(b.size, b.piece);
-  });
-  std::vector<int> faces;
-  std::map<int, std::pair<Side, std::uint32_t>> piece_of_face;
-  for (const Entry& entry : order) {
-    faces.push_back(entry.face);
-    piece_of_face[entry.face] = {entry.side, entry.piece};
-  }
-  std::vector<std::pair<Side, std::uint32_t>> expected;
-  for (const int face : oracle::killing_faces(slow, faces))
-    expected.push_back(piece_of_face.at(face));
-  std::vector<std::pair<Side, std::uint32_t>> by_pair;
+  constexpr std::array both{Side::inside, Side::outside};
+  std::vector<SidedPiece> expected = testing::slow_killing_pieces(prepared, slow, both);
+  std::vector<SidedPiece> by_pair;
   for (const SurfacePair& pair :
        pair_simplices(prepared.surface, *prepared.inside, *prepared.outside))
-    by_pair.emplace_back(pair.side, pair.piece);
+    by_pair.push_back({pair.side, pair.piece});
   if (by_pair != expected) return "PAIR's killing pieces differ";
-  std::size_t by_dual = 0;
-  for (const Side side : {Side::inside, Side::outside}) {
+  std::vector<SidedPiece> by_dual;
+  for (const Side side : both) {
     const DualPass pass = dual_pass(prepared.complex(side));
     if (!labels_are_consistent(prepared.complex(side), pass)) return "the labels are no cocycle";
-    for (const KillingPiece& killing : pass.killing)
-      if (std::find(expected.begin(), expected.end(), std::pair(side, killing.piece)) ==
-          expected.end())
-        return "the dual pass names a piece that does not kill";
-    by_dual += pass.killing.size();
+    for (const KillingPiece& killing : pass.killing) by_dual.push_back({side, killing.piece});
   }
-  if (by_dual != expected.size()) return "the dual pass misses killing pieces";
+  std::sort(by_dual.begin(), by_dual.end());
+  std::sort(expected.begin(), expected.end());
+  if (by_dual != expected) return "the dual pass's killing pieces differ";
   if (static_cast<std::int64_t>(expected.size()) != betti_by_ranks(volume)[1])
     return "not every loop of the surface dies";
   compared += expected.size();

@@ -15,6 +15,7 @@
 #include "tests/core_fixture.h"
 #include "tests/explicit_complex.h"
 #include "tests/refined_field.h"
+#include "tests/slow_reduction.h"
 
 namespace isoloop {
 namespace {

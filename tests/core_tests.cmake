@@ -45,6 +45,8 @@ isoloop_add_tests(isoloop_core_tests
     random_volumes.cpp
     refined_cube.cpp
     refined_field.cpp
+    slow_killing.cpp
+    slow_reduction.cpp
     swept_cube.cpp
   LIBRARIES isoloop::core TBB::tbb)
 target_compile_definitions(isoloop_core_tests PRIVATE ISOLOOP_SOURCE="${PROJECT_SOURCE_DIR}")

@@ -16,8 +16,6 @@ namespace isoloop::oracle {
 /// A chain over Z2: the numbers of its cells, ascending.
 using Chain = std::vector<int>;
 
-Chain sum(const Chain& a, const Chain& b);
-
 /// Boundaries of K's cells, dimension by dimension. `on_m`, `inside`: where each cell lies; a cell
 /// of M is on_m, and neither inside nor outside.
 struct ExplicitComplex {
@@ -45,18 +43,5 @@ using Walls = std::map<std::uint32_t, std::vector<std::uint32_t>>;
 /// throws std::logic_error if they are not, or if a wall does not join a tube's two curves.
 ExplicitComplex build_complex(const std::vector<double>& inside_value, const Index3& dims,
                               const Lattice& box, const std::optional<Walls>& walls = {});
-
-/// Betti numbers of I closed up to M, by the ranks of its boundary matrices.
-std::array<std::int64_t, 3> betti_inside(const ExplicitComplex& complex);
-
-/// Betti numbers of M, in the same way. M may end at the border of the box.
-std::array<std::int64_t, 3> betti_of_m(const ExplicitComplex& complex);
-
-/// Euler characteristic of M.
-std::int64_t euler_of_m(const ExplicitComplex& complex);
-
-/// PAIR, slowly: M first, then the faces in `order` (all pieces on one side). Returns those whose
-/// reduced boundary is a cycle on M that is not a boundary yet.
-std::vector<int> killing_faces(const ExplicitComplex& complex, const std::vector<int>& order);
 
 }  // namespace isoloop::oracle

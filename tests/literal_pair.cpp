@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/surface_order.h"
-#include "tests/explicit_complex.h"
+#include "tests/slow_reduction.h"
 
 namespace isoloop::testing {
 namespace {
