@@ -35,12 +35,23 @@ TEST(EngineFlags, OfThePairEngineAreRefusedWithTheOther) {
 
 TEST(EngineFlags, TightenByDefaultUnlessThePapersOwnLoopsAreAskedFor) {
   EngineFlags flags;
-  EXPECT_EQ(tighten_of(flags), Tighten::basis);
+  EXPECT_EQ(tighten_of(flags, Boundary::closed), Tighten::basis);
   flags.engine = "pair";
-  EXPECT_EQ(tighten_of(flags), Tighten::none);
+  EXPECT_EQ(tighten_of(flags, Boundary::closed), Tighten::none);
   for (const Tighten tighten : {Tighten::none, Tighten::basis, Tighten::curve}) {
     flags.tighten = tighten_text(tighten);
-    EXPECT_EQ(tighten_of(flags), tighten);
+    EXPECT_EQ(tighten_of(flags, Boundary::closed), tighten);
+  }
+}
+
+TEST(EngineFlags, TightenNothingWithAnOpenBoundary) {
+  EngineFlags flags;
+  EXPECT_EQ(tighten_of(flags, Boundary::open), Tighten::none);
+  flags.tighten = "none";
+  EXPECT_EQ(tighten_of(flags, Boundary::open), Tighten::none);
+  for (const char* tighten : {"basis", "curve"}) {
+    flags.tighten = tighten;
+    EXPECT_THROW(tighten_of(flags, Boundary::open), InvalidArgument);
   }
 }
 

@@ -25,6 +25,12 @@ TEST(ReportCsv, HasOneRowForEachLoop) {
             "1,tunnel,fill,10.392,inf,0,1,5,5,5,102.5,2.5,2.5,nontrivial,trivial\n");
 }
 
+TEST(ReportCsv, KnowsNoSideOfALoopWithAnOpenBoundary) {
+  EXPECT_NE(
+      csv_of(open_run()).find("\n1,loop,none,2.598,1.5,0,1,8,5,5,104,2.5,2.5,unknown,unknown\n"),
+      std::string::npos);
+}
+
 TEST(ReportCsv, HasOnlyItsHeadWithoutLoops) {
   const std::string csv = csv_of(empty_run());
   EXPECT_EQ(csv.find('\n'), csv.size() - 1);

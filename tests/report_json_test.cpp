@@ -53,6 +53,20 @@ TEST(ReportJson, HasTheNamesOfTheDesign) {
       (std::vector<std::string>{"read", "surface", "closest", "sizes", "pass", "loops", "total"}));
 }
 
+TEST(ReportJson, TellsNoSidesApartWithAnOpenBoundary) {
+  const Json json = parsed(open_run());
+  EXPECT_EQ(json.at("components").at(0).at("bounds"), "unknown");
+  EXPECT_EQ(json.at("components").at(0).at("borders"), 2);
+  EXPECT_TRUE(json.at("conventions").contains("betti"));
+  EXPECT_EQ(keys_of(json.at("total")), std::vector<std::string>{"loops"});
+  ASSERT_EQ(json.at("loops").size(), 1U);
+  const Json loop = json.at("loops").at(0);
+  EXPECT_EQ(loop.at("kind"), "loop");
+  EXPECT_EQ(loop.at("fix"), "none");
+  EXPECT_EQ(loop.at("certificate"),
+            Json({{"inside", "unknown"}, {"outside", "unknown"}, {"surface", "nontrivial"}}));
+}
+
 TEST(ReportJson, ListsEveryComponentOfTheSurface) {
   RunResult run = torus_run();
   run.analysis.surface.components.push_back(

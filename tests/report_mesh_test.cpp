@@ -91,6 +91,14 @@ TEST(ReportMesh, PaintsHandlesGreenAndTunnelsRed) {
   }
 }
 
+TEST(ReportMesh, PaintsLoopsOfAnOpenBoundaryBlue) {
+  const Mesh mesh = mesh_of(open_run());
+  ASSERT_EQ(mesh.vertices.size(), 9 + 3 * tube_sides);
+  const auto is_blue = [](const Vertex& v) { return v.colour[2] > v.colour[0] + 100; };
+  for (const std::size_t i : {0, 1, 2, 9}) EXPECT_TRUE(is_blue(mesh.vertices[i])) << i;
+  EXPECT_TRUE(is_grey(mesh.vertices[3]));
+}
+
 TEST(ReportMesh, PutsPointsInTheWorldFrame) {
   const Mesh mesh = mesh_of(torus_run());
   EXPECT_FLOAT_EQ(mesh.vertices[0].position[0], 104.5F);

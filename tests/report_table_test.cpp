@@ -34,6 +34,23 @@ TEST(ReportTable, NamesComponentsTunnelsAndCavities) {
   EXPECT_NE(table.find("genus 1"), std::string::npos) << table;
 }
 
+TEST(ReportTable, CountsBorderCurvesWithAnOpenBoundary) {
+  RunResult run = open_run();
+  const std::string table = table_of(run);
+  EXPECT_NE(table.find("2 border curves"), std::string::npos) << table;
+  EXPECT_NE(table.find("nontrivial on M"), std::string::npos) << table;
+  EXPECT_NE(table.find("total length of 1 loop: 2.598"), std::string::npos) << table;
+  EXPECT_EQ(table.find("tunnel"), std::string::npos) << table;
+  run.with_loops = false;
+  run.analysis.surface.components.push_back(
+      {.vertices = 6, .triangles = 8, .euler = 2, .genus = 0, .borders = 0});
+  const std::vector<std::string> lines = lines_of(table_of(run));
+  ASSERT_GE(lines.size(), 3U);
+  EXPECT_TRUE(lines[lines.size() - 3].ends_with("border curves")) << lines[lines.size() - 3];
+  EXPECT_TRUE(lines[lines.size() - 2].ends_with("  2")) << lines[lines.size() - 2];
+  EXPECT_TRUE(lines.back().ends_with("  0")) << lines.back();
+}
+
 TEST(ReportTable, ListsTheLargestComponentsWhereOnlyCounted) {
   RunResult run = torus_run();
   run.with_loops = false;

@@ -55,6 +55,32 @@ TEST(CheckLoops, AcceptsATorus) { EXPECT_NO_THROW(check_loops(torus_run().analys
 
 TEST(CheckLoops, AcceptsAnEmptySurface) { EXPECT_NO_THROW(check_loops(Analysis{})); }
 
+TEST(CheckLoops, OfAnOpenSurfaceAreAsManyAsItsIndependentOnes) {
+  Analysis analysis = open_run().analysis;
+  EXPECT_NO_THROW(check_counts(analysis));
+  EXPECT_NO_THROW(check_loops(analysis));
+  analysis.loops.clear();
+  EXPECT_THROW(check_loops(analysis), SelfCheckFailed);
+}
+
+TEST(CheckCounts, RefusesBordersThatContradictTheEulerCharacteristic) {
+  Analysis analysis = open_run().analysis;
+  analysis.surface.components[0].borders = 1;
+  EXPECT_THROW(check_counts(analysis), SelfCheckFailed);
+}
+
+TEST(CheckCounts, RefusesBettiNumbersOfAnOpenSurfaceThatDisagree) {
+  Analysis analysis = open_run().analysis;
+  analysis.betti.b1 = 0;
+  EXPECT_THROW(check_counts(analysis), SelfCheckFailed);
+}
+
+TEST(CheckLoops, RefusesASideForALoopOfAnOpenSurface) {
+  Analysis analysis = open_run().analysis;
+  analysis.loops[0].certificate.trivial_inside = true;
+  EXPECT_THROW(check_loops(analysis), SelfCheckFailed);
+}
+
 TEST(CheckLoops, RefusesAMissingLoop) {
   Analysis analysis = torus_run().analysis;
   analysis.loops.pop_back();

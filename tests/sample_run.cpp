@@ -78,6 +78,26 @@ RunResult torus_run() {
   return run;
 }
 
+RunResult open_run() {
+  RunResult run = torus_run();
+  Surface& surface = run.analysis.surface;
+  surface.boundary = Boundary::open;
+  surface.triangles.resize(12);  // six for each angle round the axis
+  for (std::uint32_t j = 0; j < 3; ++j) {
+    surface.border_edges.push_back({(j + 1) % 3, j});
+    surface.border_edges.push_back({6 + j, 6 + (j + 1) % 3});
+  }
+  surface.components = {{.vertices = 9, .triangles = 12, .euler = 0, .genus = 0, .borders = 2}};
+  Loop& loop = run.analysis.loops[0];
+  loop.kind = LoopKind::loop;
+  loop.certificate = {
+      .nontrivial_on_surface = true, .trivial_inside = false, .trivial_outside = false};
+  run.analysis.loops.resize(1);
+  run.reported = run.analysis.loops;
+  run.tighten = Tighten::none;
+  return run;
+}
+
 RunResult empty_run() {
   RunResult run;
   run.file = "torus.raw";

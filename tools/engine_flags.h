@@ -23,7 +23,7 @@ void add_engine_flags(CLI::App& command, EngineFlags& flags);
 Engine engine_of(const EngineFlags& flags);
 
 /// Throws InvalidArgument where "basis" or "curve" is given and the boundary is open.
-Tighten tighten_of(const EngineFlags& flags, Boundary boundary = Boundary::closed);
+Tighten tighten_of(const EngineFlags& flags, Boundary boundary);
 
 /// Throws InvalidArgument where --refine or --dump-pairs is given and the engine is not `pair`.
 PairOptions pair_options(const EngineFlags& flags);

@@ -204,15 +204,8 @@ std::string bounds_text(Boundary boundary, const SurfaceComponent& component) {
 }
 
 std::string kind_text(LoopKind kind) {
-  switch (kind) {
-    case LoopKind::handle:
-      return "handle";
-    case LoopKind::tunnel:
-      return "tunnel";
-    case LoopKind::loop:
-      return "loop";
-  }
-  return "loop";
+  const std::string name = name_of(kind);
+  return name.substr(0, name.find(' '));
 }
 
 std::string fix_text(LoopKind kind) {
