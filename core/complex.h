@@ -25,6 +25,9 @@ concept Complex = requires(const C& complex, std::uint32_t piece, std::uint32_t 
   /// Every piece and every interior edge belongs to one layer. Numbers ascend within a layer and
   /// from layer to layer; layers may be visited from several threads at once.
   { complex.layer_count() } -> std::convertible_to<std::uint32_t>;
+  /// The cells from first_cell(layer) to first_cell(layer + 1) touch pieces of that layer and the
+  /// next, and of the last layer; cells that belong to no layer come after all others.
+  { complex.first_cell(layer) } -> std::convertible_to<std::uint32_t>;
   complex.for_each_piece(layer, visit);
   complex.for_each_edge(layer, visit);
   /// g of the piece: the largest of its edges off M.

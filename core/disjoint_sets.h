@@ -35,8 +35,22 @@ class DisjointSets {
   }
 
   /// Makes root() valid for all members, until the next union; linear, one pass.
-  void flatten() {
-    for (std::uint32_t& parent : parent_) parent = parent_[parent];  // parents come first
+  void flatten() { flatten(0, member_count()); }
+
+  /// The same for members from `begin` to `end`, none of which is in a set with others.
+  void flatten(std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t member = begin; member < end; ++member)
+      parent_[member] = parent_[parent_[member]];  // parents come first
+  }
+
+  /// The number of each member's set, 0, 1, … by least member; `count` is set to how many there
+  /// are.
+  std::vector<std::uint32_t> numbers(std::uint32_t& count) && {
+    flatten();
+    count = 0;
+    for (std::uint32_t member = 0; member < member_count(); ++member)
+      parent_[member] = parent_[member] == member ? count++ : parent_[parent_[member]];
+    return std::move(parent_);
   }
 
   /// find() after flatten(); may be called from many threads.

@@ -4,10 +4,9 @@
 #include <optional>
 #include <utility>
 
-#include <tbb/parallel_for.h>
-
 #include "core/order.h"
 #include "core/spanning_forest.h"
+#include "core/zero_labels.h"
 
 namespace isoloop {
 namespace {
@@ -53,29 +52,16 @@ class Elimination {
 template <Complex C>
 class Propagation {
  public:
-  explicit Propagation(const C& complex)
-      : labels(complex.piece_bound()),
-        complex_(complex),
-        is_known_(complex.piece_bound()),
-        open_(complex.edge_bound()) {
-    tbb::parallel_for(std::uint32_t{0}, complex.layer_count(), [&](std::uint32_t layer) {
-      complex.for_each_edge(layer, [&](std::uint32_t edge) {
-        open_[edge] = static_cast<std::uint8_t>(complex.ring(edge).count);
-      });
-    });
-  }
+  /// Pieces in `known` have label 0.
+  Propagation(const C& complex, BitSet known)
+      : labels(complex.piece_bound()), complex_(complex), known_(std::move(known)) {}
 
-  bool is_known(std::uint32_t piece) const { return is_known_[piece]; }
+  const BitSet& known() const { return known_; }
 
   void assign(std::uint32_t piece, std::uint32_t label) {
-    is_known_.insert(piece);
+    known_.insert(piece);
     if (label != 0) labels.set(piece, label);
-    // While all labels are 0, a ring that closes says nothing.
-    const std::uint8_t least = pool.count() == 1 ? 1 : 0;
-    for (const std::uint32_t edge : complex_.edges_of(piece)) {
-      const std::uint8_t open = --open_[edge];
-      if (open <= 1 && open >= least) todo_.push_back(edge);
-    }
+    for (const std::uint32_t edge : complex_.edges_of(piece)) todo_.push_back(edge);
   }
 
   /// Draws every conclusion from the labels so far. Rings that close with a sum other than 0 are
@@ -85,16 +71,19 @@ class Propagation {
       const std::uint32_t edge = todo_.back();
       todo_.pop_back();
       std::uint32_t sum = 0;
-      std::optional<std::uint32_t> last;
+      std::uint32_t last = 0;
+      int unknown = 0;
       for (const std::uint32_t piece : complex_.ring(edge)) {
-        if (is_known(piece))
+        if (known_[piece]) {
           sum = pool.sum(sum, labels[piece]);
-        else
+        } else {
           last = piece;
+          ++unknown;
+        }
       }
-      if (last)
-        assign(*last, sum);
-      else if (sum != 0)
+      if (unknown == 1)
+        assign(last, sum);
+      else if (unknown == 0 && sum != 0)
         elimination.relate(pool.generators(sum));
     }
   }
@@ -105,8 +94,7 @@ class Propagation {
 
  private:
   const C& complex_;
-  BitSet is_known_;
-  std::vector<std::uint8_t> open_;  // by edge: pieces of its ring without a label
+  BitSet known_;
   std::vector<std::uint32_t> todo_;
 };
 
@@ -133,41 +121,24 @@ DualPass finish(const C& complex, Propagation<C>& state, const std::vector<std::
   return pass;
 }
 
-/// Calls visit(piece) for every piece without a label, ascending. Pieces may get theirs meanwhile.
-template <Complex C, class Visit>
-void for_each_unknown(const C& complex, const Propagation<C>& state, const Visit& visit) {
-  for (std::uint32_t layer = 0; layer < complex.layer_count(); ++layer)
-    complex.for_each_piece(layer, [&](std::uint32_t piece) {
-      if (!state.is_known(piece)) visit(piece);
-    });
-}
-
-template <Complex C>
-DualPass run_dual_pass(const C& complex) {
-  const BitSet forest = largest_forest(complex);
-  Propagation<C> state(complex);
-  for_each_unknown(complex, state, [&](std::uint32_t piece) {
-    if (!forest[piece]) return;
-    state.assign(piece, 0);
-    state.run();
-  });
-  std::vector<std::uint32_t> rest;
-  for_each_unknown(complex, state, [&](std::uint32_t piece) { rest.push_back(piece); });
-  sort_from_largest(complex, rest);
-  std::vector<std::uint32_t> born;
-  for (const std::uint32_t piece : rest) {
-    if (state.is_known(piece)) continue;
-    const auto generator = static_cast<std::uint32_t>(born.size());
-    born.push_back(piece);
-    state.assign(piece, state.pool.intern({&generator, 1}));
-    state.run();
-  }
-  return finish(complex, state, born);
-}
-
 }  // namespace
 
-DualPass dual_pass(const GridComplex& complex) { return run_dual_pass(complex); }
+DualPass dual_pass(const GridComplex& complex) {
+  Propagation state(complex, zero_labels(complex, largest_forest(complex)));
+  std::vector<std::uint32_t> born;
+  std::vector<std::uint32_t> largest;
+  do {
+    largest = largest_missing(complex, state.known());
+    for (const std::uint32_t piece : largest) {
+      if (state.known()[piece]) continue;
+      const auto generator = static_cast<std::uint32_t>(born.size());
+      born.push_back(piece);
+      state.assign(piece, state.pool.intern({&generator, 1}));
+      state.run();
+    }
+  } while (!largest.empty());
+  return finish(complex, state, born);
+}
 
 bool labels_are_consistent(const GridComplex& complex, const DualPass& pass) {
   LabelPool pool = pass.pool;

@@ -31,10 +31,19 @@ class GridComplex {
   std::vector<std::uint32_t> pieces() const;
   std::vector<std::uint32_t> edges() const;
   std::uint32_t layer_count() const { return sides_.lattice.dims[2] + 1; }
+  std::uint32_t first_cell(std::uint32_t layer) const {
+    return std::min(layer, sides_.lattice.dims[2]) * sides_.lattice.stride[2];
+  }
   template <class Visit>
   void for_each_piece(std::uint32_t layer, const Visit& visit) const;
   template <class Visit>
   void for_each_edge(std::uint32_t layer, const Visit& visit) const;
+  /// Those with lowest corner v, at `position` in the box. Bit a: the face with normal a has a
+  /// piece here; the edge along a is interior; that edge's ring, if it is, is that of the first
+  /// pieces of the faces round it, as many as the box has.
+  unsigned faces_at(std::uint32_t v, const std::array<std::uint32_t, 3>& position) const;
+  unsigned edges_at(std::uint32_t v, const std::array<std::uint32_t, 3>& position) const;
+  unsigned plain_rings_at(std::uint32_t v, const std::array<std::uint32_t, 3>& position) const;
   float size(std::uint32_t piece) const;
   float edge_size(std::uint32_t edge) const;  // of an interior edge, or of its half on this side
   std::array<std::uint32_t, 2> cells(std::uint32_t piece) const;
@@ -67,6 +76,7 @@ class GridComplex {
   /// The grid vertices at the piece's corners on this side.
   ShortList<std::uint32_t, 4> corners(std::uint32_t piece) const;
 
+  const Lattice& lattice() const { return sides_.lattice; }
   Side side() const { return side_; }
 
  private:
@@ -82,6 +92,9 @@ class GridComplex {
   ShortList<std::uint32_t, 4> edges_near_surface(std::uint32_t piece) const;
   ShortList<std::uint32_t, 8> ring_near_surface(std::uint32_t edge) const;
 
+  bool has_next(const std::array<std::uint32_t, 3>& position, std::uint32_t axis) const {
+    return position[axis] + 1 < sides_.lattice.dims[axis];
+  }
   bool on_border(std::uint32_t vertex) const {
     return (sides_.cubes[vertex] & Sides::on_border) != 0;
   }
@@ -150,6 +163,40 @@ inline unsigned GridComplex::corners_on_side(std::uint32_t face) const {
   return side_ == Side::inside ? bits : ~bits & 15U;
 }
 
+inline unsigned GridComplex::faces_at(std::uint32_t v,
+                                      const std::array<std::uint32_t, 3>& position) const {
+  unsigned faces = 0;
+  for (std::uint32_t a = 0; a < 3; ++a)
+    if (has_next(position, (a + 1) % 3) && has_next(position, (a + 2) % 3) &&
+        corners_on_side(3 * v + a) != 0)
+      faces |= 1U << a;
+  return faces;
+}
+
+inline unsigned GridComplex::edges_at(std::uint32_t v,
+                                      const std::array<std::uint32_t, 3>& position) const {
+  unsigned edges = 0;
+  for (std::uint32_t a = 0; a < 3; ++a)
+    if (has_next(position, a) &&
+        (sides_.is_on(side_, v) || sides_.is_on(side_, v + sides_.lattice.stride[a])))
+      edges |= 1U << a;
+  return edges;
+}
+
+inline unsigned GridComplex::plain_rings_at(std::uint32_t v,
+                                            const std::array<std::uint32_t, 3>& position) const {
+  if (has_wall_edge(v) || (sides_.cubes[v] & Sides::has_ambiguous_face) != 0) return 0;
+  unsigned beside = 0;  // bit a: the neighbour before v along a has an ambiguous face
+  for (std::uint32_t a = 0; a < 3; ++a)
+    if (position[a] > 0 &&
+        (sides_.cubes[v - sides_.lattice.stride[a]] & Sides::has_ambiguous_face) != 0)
+      beside |= 1U << a;
+  unsigned plain = 0;
+  for (unsigned a = 0; a < 3; ++a)
+    if ((beside & ~(1U << a)) == 0) plain |= 1U << a;
+  return plain;
+}
+
 template <class Visit>
 void GridComplex::for_each_piece(std::uint32_t layer, const Visit& visit) const {
   const auto& [nx, ny, nz] = sides_.lattice.dims;
@@ -160,10 +207,9 @@ void GridComplex::for_each_piece(std::uint32_t layer, const Visit& visit) const 
   std::uint32_t v = sides_.lattice.vertex(0, 0, layer);
   for (std::uint32_t y = 0; y < ny; ++y)
     for (std::uint32_t x = 0; x < nx; ++x, ++v) {
-      const std::array<bool, 3> next{x + 1 < nx, y + 1 < ny, layer + 1 < nz};
+      const unsigned faces = faces_at(v, {x, y, layer});
       for (std::uint32_t a = 0; a < 3; ++a)
-        if (next[(a + 1) % 3] && next[(a + 2) % 3] && corners_on_side(3 * v + a) != 0)
-          visit(3 * v + a);
+        if ((faces >> a & 1U) != 0) visit(3 * v + a);
     }
 }
 
@@ -174,11 +220,9 @@ void GridComplex::for_each_edge(std::uint32_t layer, const Visit& visit) const {
   std::uint32_t v = sides_.lattice.vertex(0, 0, layer);
   for (std::uint32_t y = 0; y < ny; ++y)
     for (std::uint32_t x = 0; x < nx; ++x, ++v) {
-      const std::array<bool, 3> next{x + 1 < nx, y + 1 < ny, layer + 1 < nz};
+      const unsigned edges = edges_at(v, {x, y, layer});
       for (std::uint32_t a = 0; a < 3; ++a)
-        if (next[a] &&
-            (sides_.is_on(side_, v) || sides_.is_on(side_, v + sides_.lattice.stride[a])))
-          visit(3 * v + a);
+        if ((edges >> a & 1U) != 0) visit(3 * v + a);
     }
 }
 

@@ -11,6 +11,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "core/bit_set.h"
 #include "core/complex.h"
 
 namespace isoloop {
@@ -33,6 +34,33 @@ void sort_from_largest(const C& complex, std::vector<std::uint32_t>& pieces) {
   boost::sort::spreadsort::integer_sort(keys.begin(), keys.end());
   for (std::size_t i = 0; i < count; ++i)
     pieces[i] = static_cast<std::uint32_t>(keys[count - 1 - i]);
+}
+
+/// The pieces missing in `known`, in that order, down to some size: the largest quarter of them or
+/// more, and all where they are few. Halves, at least, what sorting them all would hold in memory.
+template <Complex C>
+std::vector<std::uint32_t> largest_missing(const C& complex, const BitSet& known) {
+  constexpr std::size_t few = 1 << 20;
+  constexpr int dropped_bits = 16;  // of a size: what is left are its exponent and 7 bits more
+  const auto bin = [&](std::uint32_t piece) {
+    return std::bit_cast<std::uint32_t>(complex.size(piece)) >> dropped_bits;
+  };
+  std::vector<std::size_t> in_bin(std::size_t{1} << (32 - dropped_bits));
+  std::size_t missing = 0;
+  known.for_each_missing(complex.piece_bound(), [&](std::uint32_t piece) {
+    ++in_bin[bin(piece)];
+    ++missing;
+  });
+  std::size_t least = in_bin.size();
+  std::size_t count = 0;
+  while (count < missing && (count < few || count < missing / 4)) count += in_bin[--least];
+  std::vector<std::uint32_t> pieces;
+  pieces.reserve(count);
+  known.for_each_missing(complex.piece_bound(), [&](std::uint32_t piece) {
+    if (bin(piece) >= least) pieces.push_back(piece);
+  });
+  sort_from_largest(complex, pieces);
+  return pieces;
 }
 
 /// All pieces in that order.

@@ -22,6 +22,7 @@ struct LoosePieces {
   std::vector<std::uint32_t> pieces() const { return numbers; }
   std::vector<std::uint32_t> edges() const { return {}; }
   std::uint32_t layer_count() const { return 1; }
+  std::uint32_t first_cell(std::uint32_t) const { return 0; }
   template <class Visit>
   void for_each_piece(std::uint32_t, const Visit& visit) const {
     for (const std::uint32_t piece : numbers) visit(piece);
@@ -63,6 +64,33 @@ TEST(Order, IsThatOfAComparisonOfSizeThenNumber) {
     return std::pair(complex.sizes[a], a) > std::pair(complex.sizes[b], b);
   });
   EXPECT_EQ(pieces_from_largest(complex), expected);
+}
+
+TEST(Order, TheLargestMissingAreTheHeadOfAllMissing) {
+  std::mt19937 random(2);
+  LoosePieces complex;
+  for (std::uint32_t piece = 0; piece < 5'000'000; ++piece)
+    complex.sizes.push_back(static_cast<float>(random()) * 1e-3F);
+  BitSet known(complex.piece_bound());
+  for (std::uint32_t piece = 0; piece < complex.piece_bound(); ++piece)
+    if (random() % 10 == 0)
+      known.insert(piece);
+    else
+      complex.numbers.push_back(piece);
+  const std::vector<std::uint32_t> all = pieces_from_largest(complex);
+  const std::vector<std::uint32_t> head = largest_missing(complex, known);
+  EXPECT_GE(head.size(), all.size() / 4);
+  EXPECT_LE(head.size(), all.size() / 2);
+  EXPECT_TRUE(std::equal(head.begin(), head.end(), all.begin()));
+}
+
+TEST(Order, AFewMissingComeAllAtOnce) {
+  const LoosePieces complex{{0, 1, 2, 3}, {1.0F, 2.0F, 0.0F, 3.0F}};
+  BitSet known(4);
+  known.insert(1);
+  EXPECT_EQ(largest_missing(complex, known), (std::vector<std::uint32_t>{3, 0, 2}));
+  for (std::uint32_t piece = 0; piece < 4; ++piece) known.insert(piece);
+  EXPECT_TRUE(largest_missing(complex, known).empty());
 }
 
 }  // namespace

@@ -11,8 +11,8 @@ namespace {
 TEST(SpanningForest, IsTheOneThatKruskalFindsWithTheLargestPiecesFirst) {
   for (std::uint32_t seed = 0; seed < 60; ++seed) {
     // Voxels of either sign: many equal sizes. Smoothed ones: many cells of size 0.
-    const testing::Prepared p(seed % 2 == 0 ? testing::white_noise({7, 6, 8}, seed)
-                                            : testing::smooth_noise({11, 12, 10}, seed, 2));
+    const testing::Prepared p(seed % 2 == 0 ? testing::white_noise({7, 6, 28}, seed)
+                                            : testing::smooth_noise({11, 12, 30}, seed, 2));
     if (p.surface.points.empty()) continue;
     for (const Side side : {Side::inside, Side::outside}) {
       const GridComplex& complex = p.complex(side);

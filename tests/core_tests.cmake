@@ -38,6 +38,7 @@ isoloop_add_tests(isoloop_core_tests
     core_triangle_fans_test.cpp
     core_vertex_pairs_test.cpp
     core_z2_basis_test.cpp
+    core_zero_labels_test.cpp
     exact_basis.cpp
     explicit_complex.cpp
     layers_test.cpp
