@@ -36,7 +36,7 @@ void sort_from_largest(const C& complex, std::vector<std::uint32_t>& pieces) {
     pieces[i] = static_cast<std::uint32_t>(keys[count - 1 - i]);
 }
 
-/// The pieces missing in `known`, in that order, down to some size: the largest quarter of them or
+/// The pieces missing in `known`, in that order, down to some size: the largest eighth of them or
 /// more, and all where they are few. Halves, at least, what sorting them all would hold in memory.
 template <Complex C>
 std::vector<std::uint32_t> largest_missing(const C& complex, const BitSet& known) {
@@ -53,7 +53,7 @@ std::vector<std::uint32_t> largest_missing(const C& complex, const BitSet& known
   });
   std::size_t least = in_bin.size();
   std::size_t count = 0;
-  while (count < missing && (count < few || count < missing / 4)) count += in_bin[--least];
+  while (count < missing && (count < few || count < missing / 8)) count += in_bin[--least];
   std::vector<std::uint32_t> pieces;
   pieces.reserve(count);
   known.for_each_missing(complex.piece_bound(), [&](std::uint32_t piece) {
