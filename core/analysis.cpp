@@ -49,9 +49,12 @@ struct Cut {
   Surface surface;
 };
 
-Cut cut_volume(const AnyGridView& grid, const IsoLevel& level, Boundary boundary, bool with_graph) {
-  Sides sides = classify(grid, level, boundary);
+Cut cut_volume(const AnyGridView& grid, const IsoLevel& level, const AnalysisOptions& options,
+               bool with_graph) {
+  Sides sides = classify(grid, level, options.boundary, options.max_bytes);
   EdgeIndex edges(sides);
+  check_memory("surface", surface_bytes(sides.lattice.vertex_count(), edges.count()),
+               options.max_bytes);
   Surface surface = extract_surface(grid, level, sides, edges, with_graph);
   return {std::move(sides), std::move(edges), std::move(surface)};
 }
@@ -61,7 +64,9 @@ struct Passes {
   DualPass outside;
 };
 
-Passes run_passes(const Surface& surface, const GridComplex& inside, const GridComplex& outside) {
+/// `at_once`: both sides at a time, which takes the memory of two.
+Passes run_passes(const Surface& surface, const GridComplex& inside, const GridComplex& outside,
+                  bool at_once) {
   Passes passes;
   const auto solve = [](const GridComplex& complex, DualPass& pass, const char* name) {
     pass = dual_pass(complex);
@@ -69,8 +74,14 @@ Passes run_passes(const Surface& surface, const GridComplex& inside, const GridC
       throw SelfCheckFailed(std::string("the labels ") + name +
                             " do not sum to zero round an edge");
   };
-  tbb::parallel_invoke([&] { solve(inside, passes.inside, "inside"); },
-                       [&] { solve(outside, passes.outside, "outside"); });
+  const auto solve_inside = [&] { solve(inside, passes.inside, "inside"); };
+  const auto solve_outside = [&] { solve(outside, passes.outside, "outside"); };
+  if (at_once) {
+    tbb::parallel_invoke(solve_inside, solve_outside);
+  } else {
+    solve_inside();
+    solve_outside();
+  }
   const auto in = static_cast<std::int64_t>(passes.inside.killing.size());
   const auto out = static_cast<std::int64_t>(passes.outside.killing.size());
   if (in + out != surface.betti1() || (surface.boundary == Boundary::closed && in != out))
@@ -180,9 +191,8 @@ Analysis count_topology(const AnyGridView& grid, const IsoLevel& level,
                         const AnalysisOptions& options) {
   StageClock clock(options.progress);
   Analysis analysis;
-  analysis.surface = clock.run("surface", 0.0, analysis.seconds.surface, [&] {
-    return cut_volume(grid, level, options.boundary, false).surface;
-  });
+  analysis.surface = clock.run("surface", 0.0, analysis.seconds.surface,
+                               [&] { return cut_volume(grid, level, options, false).surface; });
   analysis.betti = betti_numbers(analysis.surface);
   return analysis;
 }
@@ -193,20 +203,25 @@ Analysis find_loops(const AnyGridView& grid, const IsoLevel& level,
   Analysis analysis;
   StageSeconds& seconds = analysis.seconds;
   Cut cut = clock.run("surface", 0.0, seconds.surface,
-                      [&] { return cut_volume(grid, level, options.boundary, true); });
+                      [&] { return cut_volume(grid, level, options, true); });
   const Surface& surface = cut.surface;
   analysis.betti = betti_numbers(surface);
   if (surface.betti1() > 0) {
+    const std::uint64_t lattice = cut.sides.lattice.vertex_count();
+    check_memory("closest", closest_bytes(lattice, surface.points.size()), options.max_bytes);
     const std::vector<std::uint32_t> closest = clock.run("closest", 0.05, seconds.closest, [&] {
       return closest_surface_vertices(cut.sides, cut.edges, surface);
     });
+    check_memory("sizes", sizes_bytes(lattice, surface.points.size()), options.max_bytes);
     const EdgeSizes sizes = clock.run("sizes", 0.1, seconds.sizes, [&] {
       return geodesic_sizes(cut.sides, cut.edges, surface, closest, options.geodesic);
     });
+    check_memory("pass", pass_bytes(lattice, surface.points.size(), 1), options.max_bytes);
+    const bool at_once = pass_bytes(lattice, surface.points.size(), 2) <= options.max_bytes;
     const GridComplex inside(cut.sides, cut.edges, sizes, Side::inside);
     const GridComplex outside(cut.sides, cut.edges, sizes, Side::outside);
-    const Passes passes =
-        clock.run("pass", 0.5, seconds.pass, [&] { return run_passes(surface, inside, outside); });
+    const Passes passes = clock.run("pass", 0.5, seconds.pass,
+                                    [&] { return run_passes(surface, inside, outside, at_once); });
     if (options.engine == Engine::pair)
       analysis.pairs = clock.run("pair", 0.7, seconds.pair, [&] {
         std::vector<SurfacePair> pairs = pair_simplices(surface, inside, outside, options.pair);

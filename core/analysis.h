@@ -9,6 +9,7 @@
 #include "core/geodesic_size.h"
 #include "core/grid.h"
 #include "core/loops.h"
+#include "core/memory_budget.h"
 #include "core/pair.h"
 #include "core/surface.h"
 
@@ -30,10 +31,11 @@ struct AnalysisOptions {
   Boundary boundary = Boundary::closed;
   GeodesicMode geodesic = GeodesicMode::hierarchy;
   Engine engine = Engine::dual;
-  Tighten tighten = Tighten::basis;     // not read with an open boundary
-  PairOptions pair{};                   // read by the engine `pair` alone
-  bool count_volume_triangles = false;  // fills Analysis::volume_triangles
-  Progress progress;                    // may be empty
+  Tighten tighten = Tighten::basis;           // not read with an open boundary
+  PairOptions pair{};                         // read by the engine `pair` alone
+  bool count_volume_triangles = false;        // fills Analysis::volume_triangles
+  Progress progress{};                        // may be empty
+  std::uint64_t max_bytes = unlimited_bytes;  // to hold beside the grid's voxels
 };
 
 /// Wall-clock seconds of each stage.
@@ -58,6 +60,8 @@ struct Analysis {
   std::uint64_t volume_triangles = 0;  // of K off M, both sides; 0 unless asked for
   StageSeconds seconds;
 };
+
+/// Both throw LimitExceeded before a stage that would take more than options.max_bytes.
 
 /// The surface and the counts alone: no sizes, no loops (`seconds` past surface stay 0).
 Analysis count_topology(const AnyGridView& grid, const IsoLevel& level,

@@ -231,7 +231,8 @@ void mark_border(Sides& sides) {
 }
 
 template <class T>
-Sides classify_grid(const GridView<T>& grid, const IsoLevel& level, Boundary boundary) {
+Sides classify_grid(const GridView<T>& grid, const IsoLevel& level, Boundary boundary,
+                    std::uint64_t max_bytes) {
   check_grid(grid, level);
   if (boundary == Boundary::open && *std::min_element(grid.dims.begin(), grid.dims.end()) < 2)
     throw InvalidArgument("an open boundary needs two voxels or more along each axis, not " +
@@ -249,6 +250,7 @@ Sides classify_grid(const GridView<T>& grid, const IsoLevel& level, Boundary bou
   sides.boundary = boundary;
   if (bounds.upper[0] < 0) return sides;
   sides.lattice = lattice_around(bounds, grid.dims, boundary);
+  check_memory("surface", surface_bytes(sides.lattice.vertex_count(), 0), max_bytes);
   sides.inside.assign(sides.lattice.vertex_count(), 0);
   sides.cubes.assign(sides.lattice.vertex_count(), 0);
   mark_inside(grid, level, sides);
@@ -259,8 +261,10 @@ Sides classify_grid(const GridView<T>& grid, const IsoLevel& level, Boundary bou
 
 }  // namespace
 
-Sides classify(const AnyGridView& grid, const IsoLevel& level, Boundary boundary) {
-  return std::visit([&](const auto& view) { return classify_grid(view, level, boundary); }, grid);
+Sides classify(const AnyGridView& grid, const IsoLevel& level, Boundary boundary,
+               std::uint64_t max_bytes) {
+  return std::visit(
+      [&](const auto& view) { return classify_grid(view, level, boundary, max_bytes); }, grid);
 }
 
 std::uint8_t inside_corners(const Sides& sides, std::uint32_t vertex) {

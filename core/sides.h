@@ -8,6 +8,7 @@
 #include "core/cube.h"
 #include "core/grid.h"
 #include "core/lattice.h"
+#include "core/memory_budget.h"
 
 namespace isoloop {
 
@@ -52,9 +53,10 @@ struct Sides {
 /// Decides every voxel (f = iso is inside), every ambiguous face and, for Topology::trilinear,
 /// every interior tunnel. Infinite values count as very large ones. Throws InvalidInput where a
 /// voxel is NaN, InvalidArgument for an empty grid, a NaN iso, and one voxel along an axis with an
-/// open boundary, LimitExceeded over max_lattice_vertices.
-Sides classify(const AnyGridView& grid, const IsoLevel& level,
-               Boundary boundary = Boundary::closed);
+/// open boundary, LimitExceeded over max_lattice_vertices or where the box takes more than
+/// `max_bytes`.
+Sides classify(const AnyGridView& grid, const IsoLevel& level, Boundary boundary = Boundary::closed,
+               std::uint64_t max_bytes = unlimited_bytes);
 
 /// Corner bits of the cube with lowest corner `vertex`, as cube_cut() wants them.
 std::uint8_t inside_corners(const Sides& sides, std::uint32_t vertex);

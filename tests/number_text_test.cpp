@@ -48,11 +48,5 @@ TEST(Counted, AgreesWithTheNumber) {
   EXPECT_EQ(counted(0, "loop", "loops"), "0 loops");
 }
 
-TEST(BytesText, PicksTheUnit) {
-  EXPECT_EQ(bytes_text(12), "12 bytes");
-  EXPECT_EQ(bytes_text(1536), "1.5 KiB");
-  EXPECT_EQ(bytes_text(std::uint64_t{4} << 30), "4.0 GiB");
-}
-
 }  // namespace
 }  // namespace isoloop

@@ -29,9 +29,10 @@ void count(const CountFlags& flags) {
   ProgressLine progress(std::cerr, {.enabled = stderr_is_terminal()});
   RunResult run = read_run(flags.volume, flags.level);
   run.with_loops = false;
-  run.analysis =
-      count_topology(view(run.volume), run.level,
-                     {.boundary = boundary_of(flags.level), .progress = progress.callback()});
+  run.analysis = count_topology(view(run.volume), run.level,
+                                {.boundary = boundary_of(flags.level),
+                                 .progress = progress.callback(),
+                                 .max_bytes = run.cost.max_bytes});
   check_counts(run.analysis);
   run.cost.total_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "core/memory_budget.h"
 #include "tools/input_flags.h"
 #include "tools/number_text.h"
 #include "tools/output_files.h"

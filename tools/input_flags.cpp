@@ -80,8 +80,10 @@ void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
       .add_option("--nan-as", flags.nan_as, "read NaN voxels as this value; else they are refused")
       ->type_name("VALUE");
   command
-      .add_option("--max-memory", flags.max_memory,
-                  "give up, exit code 4, rather than use more, for example 4G")
+      .add_option(
+          "--max-memory", flags.max_memory,
+          "give up, exit code 4, rather than use more, for example 4G (default: 80 % of what "
+          "is free)")
       ->type_name("SIZE");
 }
 

@@ -84,7 +84,8 @@ void find(const LoopsFlags& flags) {
                              .tighten = run.tighten,
                              .pair = pair,
                              .count_volume_triangles = flags.engine.stats,
-                             .progress = progress.callback()});
+                             .progress = progress.callback(),
+                             .max_bytes = run.cost.max_bytes});
   check_counts(run.analysis);
   check_loops(run.analysis);
   run.reported = select_loops(run.analysis.loops, filter);

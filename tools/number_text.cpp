@@ -45,16 +45,4 @@ std::string counted(std::int64_t count, const std::string& one, const std::strin
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
-std::string bytes_text(std::uint64_t bytes) {
-  constexpr std::array<const char*, 4> units{"KiB", "MiB", "GiB", "TiB"};
-  if (bytes < 1024) return counted(static_cast<std::int64_t>(bytes), "byte", "bytes");
-  double amount = static_cast<double>(bytes) / 1024.0;
-  std::size_t unit = 0;
-  while (amount >= 1024.0 && unit + 1 < units.size()) {
-    amount /= 1024.0;
-    ++unit;
-  }
-  return fixed_text(amount, 1) + " " + units[unit];
-}
-
 }  // namespace isoloop

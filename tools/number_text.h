@@ -20,7 +20,4 @@ int length_decimals(const Vec3& spacing);
 /// "309342 vertices", "1 vertex".
 std::string counted(std::int64_t count, const std::string& one, const std::string& many);
 
-/// "1.2 GiB", "35.0 MiB", "12 bytes".
-std::string bytes_text(std::uint64_t bytes);
-
 }  // namespace isoloop

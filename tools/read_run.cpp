@@ -1,8 +1,10 @@
 #include "tools/read_run.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "tools/memory_cap.h"
+#include "volume/memory_limit.h"
 
 namespace isoloop {
 
@@ -14,8 +16,11 @@ RunResult read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flag
   ReadOptions options = read_options(volume_flags);
   // A layer of background would close the surface that is to end there.
   if (level_flags.open_boundary) options.margin = VdbMargin::none;
+  const std::uint64_t available = default_voxel_limit();
   if (options.max_bytes > 0) cap_memory(options.max_bytes);
   run.volume = read_volume(volume_flags.file, options);
+  const std::uint64_t limit = options.max_bytes > 0 ? options.max_bytes : available;
+  run.cost.max_bytes = limit - std::min(limit, peak_resident_bytes());
   run.range = value_range(run.volume);
   run.level = iso_level(level_flags, run.volume);
   run.cost.read_seconds =

@@ -24,6 +24,7 @@ struct LoopFilter {
 std::vector<Loop> select_loops(const std::vector<Loop>& loops, const LoopFilter& filter);
 
 struct RunCost {
+  std::uint64_t max_bytes = 0;   // what --max-memory leaves once the volume is read
   double read_seconds = 0.0;     // wall clock
   double total_seconds = 0.0;    // wall clock, from the start of reading to the report
   std::uint64_t peak_bytes = 0;  // largest resident set of the process so far

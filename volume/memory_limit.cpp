@@ -1,26 +1,15 @@
 #include "volume/memory_limit.h"
 
-#include <array>
-#include <cstdio>
 #include <fstream>
 #include <limits>
 
 #include "core/errors.h"
+#include "core/memory_budget.h"
 
 namespace isoloop {
 namespace {
 
 constexpr std::uint64_t largest = std::numeric_limits<std::uint64_t>::max();
-
-std::string bytes_text(std::uint64_t bytes) {
-  constexpr std::array<const char*, 5> units{"bytes", "KiB", "MiB", "GiB", "TiB"};
-  double amount = static_cast<double>(bytes);
-  std::size_t unit = 0;
-  for (; amount >= 1024.0 && unit + 1 < units.size(); ++unit) amount /= 1024.0;
-  std::array<char, 48> text{};
-  std::snprintf(text.data(), text.size(), unit == 0 ? "%.0f %s" : "%.1f %s", amount, units[unit]);
-  return text.data();
-}
 
 }  // namespace
 

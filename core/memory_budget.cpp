@@ -1,0 +1,48 @@
+#include "core/memory_budget.h"
+
+#include <array>
+#include <cmath>
+
+#include "core/errors.h"
+
+namespace isoloop {
+
+std::string bytes_text(std::uint64_t bytes) {
+  constexpr std::array<const char*, 5> units{"bytes", "KiB", "MiB", "GiB", "TiB"};
+  double amount = static_cast<double>(bytes);
+  std::size_t unit = 0;
+  for (; amount >= 1024.0 && unit + 1 < units.size(); ++unit) amount /= 1024.0;
+  if (unit == 0) return std::to_string(bytes) + (bytes == 1 ? " byte" : " bytes");
+  const auto tenths = std::llround(10.0 * amount);
+  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " " + units[unit];
+}
+
+void check_memory(const char* stage, std::uint64_t needed, std::uint64_t limit) {
+  if (needed <= limit) return;
+  throw LimitExceeded(std::string("the stage '") + stage + "' needs " + bytes_text(needed) +
+                      " beside the volume, and the limit leaves " + bytes_text(limit) +
+                      "; raise --max-memory or crop the volume");
+}
+
+// Held from stage to stage: 2.5 bytes a lattice vertex for the sides, 4 for the closest vertices,
+// 12 for the sizes; about 110 a surface vertex for M and its graph. A pass holds 8 a lattice
+// vertex.
+
+std::uint64_t surface_bytes(std::uint64_t lattice, std::uint64_t surface) {
+  return 5 * lattice / 2 + 170 * surface;
+}
+
+std::uint64_t closest_bytes(std::uint64_t lattice, std::uint64_t surface) {
+  return 37 * lattice / 2 + 110 * surface;  // two fields of 8
+}
+
+std::uint64_t sizes_bytes(std::uint64_t lattice, std::uint64_t surface) {
+  return 37 * lattice / 2 + 200 * surface;
+}
+
+std::uint64_t pass_bytes(std::uint64_t lattice, std::uint64_t surface,
+                         std::uint64_t sides_at_once) {
+  return (37 + 16 * sides_at_once) * lattice / 2 + 130 * surface;
+}
+
+}  // namespace isoloop

@@ -1,0 +1,26 @@
+// How much memory the pipeline may hold, asked before each stage that takes much.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+
+namespace isoloop {
+
+inline constexpr std::uint64_t unlimited_bytes = std::numeric_limits<std::uint64_t>::max();
+
+/// "2.0 GiB", "512.0 MiB", "50 bytes".
+std::string bytes_text(std::uint64_t bytes);
+
+/// Throws LimitExceeded, naming the stage and both figures, if it needs more than `limit` bytes.
+void check_memory(const char* stage, std::uint64_t needed, std::uint64_t limit);
+
+/// Bytes that the pipeline holds at most during each stage, the grid's voxels not among them, for
+/// `lattice` vertices of the box round the solid and `surface` vertices of M: fitted to peaks that
+/// were measured on thick parts, thin vessels and lattices of tubes.
+std::uint64_t surface_bytes(std::uint64_t lattice, std::uint64_t surface);
+std::uint64_t closest_bytes(std::uint64_t lattice, std::uint64_t surface);
+std::uint64_t sizes_bytes(std::uint64_t lattice, std::uint64_t surface);
+std::uint64_t pass_bytes(std::uint64_t lattice, std::uint64_t surface, std::uint64_t sides_at_once);
+
+}  // namespace isoloop

@@ -1,0 +1,61 @@
+#include <array>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "core/analysis.h"
+#include "core/errors.h"
+#include "core/memory_budget.h"
+#include "tests/core_fixture.h"
+
+namespace isoloop {
+namespace {
+
+/// The complaint of find_loops() within `bytes`; empty if there is none.
+std::string complaint_within(const testing::SmallVolume& volume, std::uint64_t bytes) {
+  try {
+    find_loops(volume.view(), testing::zero_level, {.max_bytes = bytes});
+  } catch (const LimitExceeded& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(MemoryBudget, EachStageIsRefusedByNameBeforeItStarts) {
+  testing::SmallVolume volume = testing::torus({48, 48, 48});
+  volume.values.front() = volume.values.back() = 1.0;  // a box much larger than the torus
+  const Sides sides = classify(volume.view(), testing::zero_level);
+  const EdgeIndex edges(sides);
+  const std::uint64_t lattice = sides.lattice.vertex_count();
+  const std::uint64_t surface = edges.count();
+  const std::array<std::pair<const char*, std::uint64_t>, 4> stages{
+      {{"surface", surface_bytes(lattice, surface)},
+       {"closest", closest_bytes(lattice, surface)},
+       {"sizes", sizes_bytes(lattice, surface)},
+       {"pass", pass_bytes(lattice, surface, 1)}}};
+  for (const auto& [stage, bytes] : stages) {
+    const std::string complaint = complaint_within(volume, bytes - 1);
+    for (const std::string& part : {std::string(stage), bytes_text(bytes), bytes_text(bytes - 1),
+                                    std::string("--max-memory")})
+      EXPECT_NE(complaint.find(part), std::string::npos) << complaint;
+  }
+  EXPECT_EQ(complaint_within(volume, stages.back().second), "");
+}
+
+TEST(MemoryBudget, TheBoxIsRefusedBeforeItIsAllocated) {
+  const testing::SmallVolume volume = testing::torus({40, 40, 40});
+  EXPECT_THROW(classify(volume.view(), testing::zero_level, Boundary::closed, 40 * 40),
+               LimitExceeded);
+}
+
+TEST(MemoryBudget, BytesAreSpelledInTheLargestUnitThatFits) {
+  EXPECT_EQ(bytes_text(0), "0 bytes");
+  EXPECT_EQ(bytes_text(1), "1 byte");
+  EXPECT_EQ(bytes_text(1023), "1023 bytes");
+  EXPECT_EQ(bytes_text(1536), "1.5 KiB");
+  EXPECT_EQ(bytes_text(std::uint64_t{2} << 30), "2.0 GiB");
+}
+
+}  // namespace
+}  // namespace isoloop
