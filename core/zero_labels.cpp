@@ -75,7 +75,7 @@ class PlainRings {
 
   /// Slabs that are neighbours share a layer of pieces: every other slab at a time.
   void close() {
-    const std::uint32_t slabs = (lattice_.dims[2] + slab_ - 1) / slab_;
+    const std::uint32_t slabs = (lattice_.dims[2] + layers_in_slab - 1) / layers_in_slab;
     for (bool any = true; any;) {
       any = false;
       for (std::uint32_t parity = 0; parity < 2; ++parity) {
@@ -105,8 +105,8 @@ class PlainRings {
   }
 
  private:
-  static constexpr std::size_t least_chunk = 8;  // words
-  static constexpr std::uint32_t slab_ = 4;      // layers
+  static constexpr std::size_t least_chunk = 8;       // words
+  static constexpr std::uint32_t layers_in_slab = 4;  // layers
 
   void read_layer(std::uint32_t z, const BitSet& forest) {
     std::array<Word*, 3> known{};
@@ -133,8 +133,8 @@ class PlainRings {
   }
 
   void close_slab(std::uint32_t slab) {
-    const std::uint32_t begin = slab * slab_;
-    const std::uint32_t end = std::min(begin + slab_, lattice_.dims[2]);
+    const std::uint32_t begin = slab * layers_in_slab;
+    const std::uint32_t end = std::min(begin + layers_in_slab, lattice_.dims[2]);
     for (bool any = true; any;) {
       any = false;
       for (std::uint32_t z = begin; z < end; ++z)

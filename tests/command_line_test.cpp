@@ -124,7 +124,7 @@ TEST_F(CommandLine, AnalysisOverTheMemoryLimitIsRefused) {
   if (std::thread::hardware_concurrency() > 8) GTEST_SKIP() << "room for stacks hides the limit";
   ASSERT_EQ(run({"generate", "lattice", "--size", "96", "-o", "g.raw"}).exit_code, 0);
   expect_failure({"loops", "g.raw", "--dims", "96x96x96", "--type", "f32", "--iso", "0",
-                  "--max-memory", "24M", "--json", "a.json"},
+                  "--max-memory", "48M", "--json", "a.json"},
                  4, "the stage '");
 }
 
