@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "core/betti.h"
@@ -11,12 +10,10 @@
 #include "core/loops.h"
 #include "core/memory_budget.h"
 #include "core/pair.h"
+#include "core/progress.h"
 #include "core/surface.h"
 
 namespace isoloop {
-
-/// Told at the start of each stage, and now and then within it. May be called from any thread.
-using Progress = std::function<void(const char* stage, double share_done)>;
 
 /// dual: the dual pass and a search for short loops. pair: the paper's PAIR and HANTUN, which take
 /// the killed cycles as they are; the dual pass runs too: its classes certify the loops, and under

@@ -9,6 +9,7 @@ isoloop_add_tests(isoloop_core_tests
     core_certificate_test.cpp
     core_closest_test.cpp
     core_cube_interior_test.cpp
+    core_cube_sweep_test.cpp
     core_cube_test.cpp
     core_disjoint_sets_test.cpp
     core_dual_pass_test.cpp
@@ -28,6 +29,7 @@ isoloop_add_tests(isoloop_core_tests
     core_open_boundary_test.cpp
     core_pair_loops_test.cpp
     core_pair_test.cpp
+    core_scan_test.cpp
     core_shortest_basis_test.cpp
     core_sides_test.cpp
     core_sleeve_test.cpp
