@@ -14,6 +14,7 @@
 #include "tools/input_flags.h"
 #include "tools/loops_command.h"
 #include "tools/output_files.h"
+#include "tools/scan_command.h"
 
 namespace isoloop {
 namespace {
@@ -47,6 +48,7 @@ void parse_and_run(const std::vector<std::string>& arguments) {
   add_info_command(app);
   add_count_command(app);
   add_loops_command(app);
+  add_scan_command(app);
   add_generate_command(app);
   check_command(app, arguments);
 

@@ -42,12 +42,15 @@ std::vector<Number> parse_list(std::string_view text, const std::string& complai
 
 // How many numbers may follow a flag.
 std::size_t numbers_after(std::string_view flag) {
-  constexpr std::array<std::pair<std::string_view, std::size_t>, 6> counts{{{"--dims", 3},
+  constexpr std::array<std::pair<std::string_view, std::size_t>, 9> counts{{{"--dims", 3},
                                                                             {"--spacing", 3},
                                                                             {"--iso", 1},
                                                                             {"--nan-as", 1},
                                                                             {"--min-size", 1},
-                                                                            {"--max-size", 1}}};
+                                                                            {"--max-size", 1},
+                                                                            {"--values", 1},
+                                                                            {"--from", 1},
+                                                                            {"--to", 1}}};
   for (const auto& [name, count] : counts) {
     if (flag == name) return count;
   }
@@ -87,11 +90,7 @@ void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
       ->type_name("SIZE");
 }
 
-void add_level_flags(CLI::App& command, LevelFlags& flags) {
-  command
-      .add_option("--iso", flags.iso,
-                  "value of the iso-surface; a level set in a .vdb file has 0 by default")
-      ->type_name("VALUE");
+void add_convention_flags(CLI::App& command, LevelFlags& flags) {
   command
       .add_option(
           "--inside", flags.inside,
@@ -106,6 +105,14 @@ void add_level_flags(CLI::App& command, LevelFlags& flags) {
       ->check(CLI::IsMember({"trilinear", "simple"}))
       ->type_name("WHICH")
       ->capture_default_str();
+}
+
+void add_level_flags(CLI::App& command, LevelFlags& flags) {
+  command
+      .add_option("--iso", flags.iso,
+                  "value of the iso-surface; a level set in a .vdb file has 0 by default")
+      ->type_name("VALUE");
+  add_convention_flags(command, flags);
   command.add_flag("--open-boundary", flags.open_boundary,
                    "end the surface at the border of the volume instead of closing it there; its "
                    "sides are not told apart");

@@ -38,6 +38,9 @@ struct LevelFlags {
 /// Adds FILE and the flags that describe it. `flags` must outlive the parse.
 void add_volume_flags(CLI::App& command, VolumeFlags& flags);
 
+/// Adds --inside and --topology. `flags` must outlive the parse.
+void add_convention_flags(CLI::App& command, LevelFlags& flags);
+
 /// Adds --iso, --inside, --topology and --open-boundary. `flags` must outlive the parse.
 void add_level_flags(CLI::App& command, LevelFlags& flags);
 

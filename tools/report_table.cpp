@@ -7,21 +7,13 @@
 #include <vector>
 
 #include "tools/number_text.h"
+#include "tools/text_rows.h"
 #include "volume/memory_limit.h"
 
 namespace isoloop {
 namespace {
 
-template <std::size_t Columns>
-using Row = std::array<std::string, Columns>;
-
 constexpr std::size_t most_components = 20;  // rows of the table; JSON has all
-
-// Characters on screen: the bytes of UTF-8 that do not continue a character.
-std::size_t screen_width(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
 
 std::string point_text(const Vec3& point, int decimals) {
   std::string text = "(";
@@ -49,27 +41,6 @@ Row<10> row_of(const Loop& loop, const Volume& volume) {
           std::to_string(loop.component),
           std::to_string(loop.curves.size()),
           certificate_text(loop)};
-}
-
-template <std::size_t Columns>
-void write_rows(std::ostream& out, const std::vector<Row<Columns>>& rows,
-                const std::array<bool, Columns>& flush_left) {
-  std::array<std::size_t, Columns> width{};
-  for (const Row<Columns>& row : rows) {
-    for (std::size_t c = 0; c < Columns; ++c) {
-      width[c] = std::max(width[c], screen_width(row[c]));
-    }
-  }
-  for (const Row<Columns>& row : rows) {
-    std::string line;
-    for (std::size_t c = 0; c < Columns; ++c) {
-      const std::string blanks(width[c] - screen_width(row[c]), ' ');
-      if (c > 0) line += "  ";
-      line += flush_left[c] ? row[c] + blanks : blanks + row[c];
-    }
-    line.erase(line.find_last_not_of(' ') + 1);
-    out << line << '\n';
-  }
 }
 
 // Why the surface is missing, or is no more than the border of the volume.

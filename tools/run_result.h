@@ -1,4 +1,5 @@
-// One run of `count` or `loops`: what was read, how it was asked for, what came out, what it cost.
+// One run of `count`, `loops` or `scan`: what was read, how it was asked for, what came out, what
+// it cost.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "core/analysis.h"
+#include "core/scan.h"
 #include "volume/volume.h"
 
 namespace isoloop {
@@ -47,7 +49,10 @@ struct RunResult {
   Analysis analysis;
   bool with_loops = true;  // false: counted only
   LoopFilter filter;
-  std::vector<Loop> reported;  // select_loops(analysis.loops, filter)
+  std::vector<Loop> reported;             // select_loops(analysis.loops, filter)
+  std::vector<ScanRow> scan{};            // of `scan`: one for each iso value, ascending
+  std::vector<Plateau> plateaus{};        // of `scan`
+  std::optional<std::size_t> proposed{};  // of `scan`: the row to look at first, if any
   RunCost cost;
 };
 
