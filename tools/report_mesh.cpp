@@ -122,14 +122,6 @@ std::vector<Colour> surface_colours(const RunResult& run) {
   return colours;
 }
 
-// A frame that mirrors the index axes turns every triangle over.
-bool frame_mirrors(const Volume& volume) {
-  const auto& [a, b, c] = volume.direction;
-  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
-             a[2] * (b[0] * c[1] - b[1] * c[0]) <
-         0.0;
-}
-
 void write_vertices(std::ostream& out, const RunResult& run, const std::vector<Tube>& tubes) {
   std::vector<char> bytes;
   const std::vector<Colour> colours = surface_colours(run);

@@ -45,6 +45,13 @@ Vec3 to_world(const Volume& volume, const Vec3& index) {
   return world;
 }
 
+bool frame_mirrors(const Volume& volume) {
+  const auto& [a, b, c] = volume.direction;
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+             a[2] * (b[0] * c[1] - b[1] * c[0]) <
+         0.0;
+}
+
 VoxelType voxel_type(const VoxelArray& values) { return static_cast<VoxelType>(values.index()); }
 
 std::uint64_t bytes_per_voxel(VoxelType type) { return words_of(type).bytes; }

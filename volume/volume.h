@@ -42,6 +42,9 @@ AnyGridView view(const Volume& volume);
 /// World position of a point given in (fractional) voxel indices.
 Vec3 to_world(const Volume& volume, const Vec3& index);
 
+/// Whether the index axes are left-handed in the world, so that triangles turn over on the way.
+bool frame_mirrors(const Volume& volume);
+
 /// The alternative that `values` holds.
 VoxelType voxel_type(const VoxelArray& values);
 
