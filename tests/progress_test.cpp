@@ -4,8 +4,10 @@
 #include <sstream>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace isoloop {
 namespace {
@@ -73,6 +75,43 @@ TEST(ProgressLine, KeepsSharesBetweenZeroAndOne) {
   progress("b", 7.0);
   progress("c", std::numeric_limits<double>::quiet_NaN());
   EXPECT_EQ(out.str(), "\risoloop: a 0 %\risoloop: b 100 %\risoloop: c 0 %  ");
+}
+
+TEST(ProgressLine, SaysHowMuchTimeIsLeft) {
+  std::ostringstream out;
+  ProgressLine line(out, {.quiet = at_once, .between_lines = at_once});
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+  line.show("pass", 0.1);
+  EXPECT_NE(out.str().find("pass 10 %, about "), std::string::npos) << out.str();
+  EXPECT_NE(out.str().find(" s left"), std::string::npos) << out.str();
+  out.str("");
+  line.show("pass", 1.0);
+  EXPECT_EQ(out.str().find("left"), std::string::npos) << out.str();
+}
+
+TEST(ProgressLine, TimeLeftIsInSecondsMinutesOrHours) {
+  EXPECT_EQ(time_left_text(std::chrono::seconds(-3)), "0 s");
+  EXPECT_EQ(time_left_text(std::chrono::seconds(89)), "89 s");
+  EXPECT_EQ(time_left_text(std::chrono::seconds(130)), "2 min");
+  EXPECT_EQ(time_left_text(std::chrono::minutes(100)), "1.7 h");
+}
+
+TEST(ProgressLine, AsJsonIsAnObjectALine) {
+  std::ostringstream out;
+  {
+    ProgressLine line(out, {.form = ProgressForm::json});
+    line.show("surface", 0.0);
+    line.show("pass", 0.5);
+  }
+  std::istringstream lines(out.str());
+  std::string text;
+  std::vector<nlohmann::json> events;
+  while (std::getline(lines, text)) events.push_back(nlohmann::json::parse(text));
+  ASSERT_EQ(events.size(), 2U);
+  EXPECT_EQ(events[1]["event"], "progress");
+  EXPECT_EQ(events[1]["stage"], "pass");
+  EXPECT_EQ(events[1]["share"], 0.5);
+  EXPECT_GE(events[1]["seconds"], 0.0);
 }
 
 TEST(ProgressLine, DoesNotFloodTheTerminal) {

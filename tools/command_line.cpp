@@ -15,6 +15,7 @@
 #include "tools/loops_command.h"
 #include "tools/output_files.h"
 #include "tools/scan_command.h"
+#include "tools/view_command.h"
 
 namespace isoloop {
 namespace {
@@ -49,6 +50,7 @@ void parse_and_run(const std::vector<std::string>& arguments) {
   add_count_command(app);
   add_loops_command(app);
   add_scan_command(app);
+  add_view_command(app);
   add_generate_command(app);
   check_command(app, arguments);
 
@@ -74,7 +76,11 @@ int run_command_line(const std::vector<std::string>& arguments) noexcept {
     return static_cast<int>(ExitCode::done);
   } catch (...) {
     const Failure failure = failure_of(std::current_exception());
-    std::cerr << "isoloop: " << failure.sentence << '\n';
+    if (std::find(arguments.begin(), arguments.end(), "--log-json") != arguments.end()) {
+      std::cerr << error_event(failure) << '\n';
+    } else {
+      std::cerr << "isoloop: " << failure.sentence << '\n';
+    }
     return static_cast<int>(failure.code);
   }
 }

@@ -19,6 +19,7 @@ namespace {
 struct CountFlags {
   VolumeFlags volume;
   LevelFlags level;
+  ProgressFlags progress;
   std::string json;  // file, "-" or empty
 };
 
@@ -26,7 +27,7 @@ void count(const CountFlags& flags) {
   const auto start = std::chrono::steady_clock::now();
   OutputFiles outputs(flags.volume.file);
   outputs.add("--json", flags.json, write_json);
-  ProgressLine progress(std::cerr, {.enabled = stderr_is_terminal()});
+  ProgressLine progress(std::cerr, progress_options(flags.progress));
   RunResult run = read_run(flags.volume, flags.level);
   run.with_loops = false;
   run.analysis = count_topology(view(run.volume), run.level,
@@ -53,6 +54,7 @@ void add_count_command(CLI::App& app) {
   add_level_flags(command, flags->level);
   command.add_option("--json", flags->json, "write the counts as JSON; - is standard output")
       ->type_name("FILE|-");
+  add_progress_flags(command, flags->progress);
   command.footer(
       "Examples:\n"
       "  isoloop count engine_256x256x128_uint8.raw --iso 70\n"

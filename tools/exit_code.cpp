@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include <nlohmann/json.hpp>
+
 #include "core/errors.h"
 
 namespace isoloop {
@@ -49,6 +51,12 @@ Failure failure_of(const std::exception_ptr& error) {
   } catch (...) {
     return {ExitCode::self_check_failed, "unexpected error"};
   }
+}
+
+std::string error_event(const Failure& failure) {
+  const nlohmann::ordered_json event = {
+      {"event", "error"}, {"code", static_cast<int>(failure.code)}, {"message", failure.sentence}};
+  return event.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 }  // namespace isoloop

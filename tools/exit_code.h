@@ -23,4 +23,7 @@ struct Failure {
 /// The end of a run that threw `error`, which must not be null.
 Failure failure_of(const std::exception_ptr& error);
 
+/// The same as one JSON object: "event" ("error"), "code", "message".
+std::string error_event(const Failure& failure);
+
 }  // namespace isoloop

@@ -1,48 +1,49 @@
 #include "tools/loops_command.h"
 
-#include <chrono>
 #include <cmath>
 #include <iostream>
 #include <memory>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
-#include <tbb/global_control.h>
 
 #include "core/errors.h"
 #include "tools/engine_flags.h"
+#include "tools/loops_run.h"
 #include "tools/output_files.h"
+#include "tools/page.h"
 #include "tools/progress.h"
-#include "tools/read_run.h"
 #include "tools/report_csv.h"
+#include "tools/report_curves.h"
 #include "tools/report_json.h"
 #include "tools/report_mesh.h"
 #include "tools/report_pairs.h"
 #include "tools/report_stats.h"
+#include "tools/report_surface.h"
 #include "tools/report_table.h"
 
 namespace isoloop {
 namespace {
 
 struct LoopsFlags {
-  VolumeFlags volume;
-  LevelFlags level;
-  EngineFlags engine;
-  std::string json;  // file, "-" or empty
-  std::string csv;   // file, "-" or empty
-  std::string ply;   // file or empty
-  int threads = 0;   // 0: one for each core
-  LoopFilter filter;
+  LoopsInput input;
+  ProgressFlags progress;
+  std::string json;                  // file, "-" or empty
+  std::string csv;                   // file, "-" or empty
+  std::string ply;                   // file or empty
+  std::string html;                  // file, "-" or empty
+  std::vector<std::string> curves;   // files
+  std::vector<std::string> surface;  // files
+  PageOptions page;
   std::string side = "both";
-  std::string geodesic = "hierarchy";
 };
 
 LoopFilter filter_of(const LoopsFlags& flags) {
-  LoopFilter filter = flags.filter;
+  LoopFilter filter = flags.input.filter;
   filter.handles = flags.side != "tunnel";
   filter.tunnels = flags.side != "handle";
-  if (flags.level.open_boundary && flags.side != "both") {
+  if (flags.input.level.open_boundary && flags.side != "both") {
     throw InvalidArgument("--side " + flags.side +
                           " does not go with --open-boundary, which tells no sides apart");
   }
@@ -53,60 +54,44 @@ LoopFilter filter_of(const LoopsFlags& flags) {
   return filter;
 }
 
-void find(const LoopsFlags& flags) {
-  const auto start = std::chrono::steady_clock::now();
-  const LoopFilter filter = filter_of(flags);
-  const PairOptions pair = pair_options(flags.engine);
-  const Tighten tighten = tighten_of(flags.engine, boundary_of(flags.level));
-  OutputFiles outputs(flags.volume.file);
+OutputFiles outputs_of(const LoopsFlags& flags) {
+  OutputFiles outputs(flags.input.volume.file);
   outputs.add("--json", flags.json, write_json);
   outputs.add("--csv", flags.csv, write_csv);
   outputs.add("--ply", flags.ply,
               [](std::ostream& out, const RunResult& run) { write_ply(out, run); });
-  outputs.add("--dump-pairs", flags.engine.dump_pairs, write_pairs);
-  std::optional<tbb::global_control> threads;
-  if (flags.threads > 0) {
-    threads.emplace(tbb::global_control::max_allowed_parallelism,
-                    static_cast<std::size_t>(flags.threads));
-  }
-  ProgressLine progress(std::cerr, {.enabled = stderr_is_terminal()});
+  outputs.add("--html", flags.html, [&flags](std::ostream& out, const RunResult& run) {
+    write_page(out, run, flags.page);
+  });
+  for (const std::string& name : flags.curves) outputs.add("--curves", name, curves_report(name));
+  for (const std::string& name : flags.surface)
+    outputs.add("--surface", name, surface_report(name));
+  outputs.add("--dump-pairs", flags.input.engine.dump_pairs, write_pairs);
+  return outputs;
+}
 
-  RunResult run = read_run(flags.volume, flags.level);
-  run.geodesic = flags.geodesic == "exact" ? GeodesicMode::exact : GeodesicMode::hierarchy;
-  run.engine = engine_of(flags.engine);
-  run.refinement = pair.refinement;
-  run.tighten = tighten;
-  run.filter = filter;
-  run.analysis = find_loops(view(run.volume), run.level,
-                            {.boundary = boundary_of(flags.level),
-                             .geodesic = run.geodesic,
-                             .engine = run.engine,
-                             .tighten = run.tighten,
-                             .pair = pair,
-                             .count_volume_triangles = flags.engine.stats,
-                             .progress = progress.callback(),
-                             .max_bytes = run.cost.max_bytes});
-  check_counts(run.analysis);
-  check_loops(run.analysis);
-  run.reported = select_loops(run.analysis.loops, filter);
-  run.cost.total_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  run.cost.peak_bytes = peak_resident_bytes();
+void find(const LoopsFlags& flags) {
+  LoopsInput input = flags.input;
+  input.filter = filter_of(flags);
+  input.with_scan = !flags.html.empty();
+  check_engine_flags(input);
+  const OutputFiles outputs = outputs_of(flags);
+  ProgressLine progress(std::cerr, progress_options(flags.progress));
+  const RunResult run = find_run(input, progress.callback());
   progress.clear();
-
   outputs.write(run);
   if (!outputs.uses_stdout()) write_table(std::cout, run);
-  if (flags.engine.stats) write_stats(outputs.uses_stdout() ? std::cerr : std::cout << '\n', run);
+  if (input.engine.stats) write_stats(outputs.uses_stdout() ? std::cerr : std::cout << '\n', run);
   finish_stdout();
 }
 
 void add_report_flags(CLI::App& command, LoopsFlags& flags) {
   command
-      .add_option("--min-size", flags.filter.min_size,
+      .add_option("--min-size", flags.input.filter.min_size,
                   "report loops of this size and more only, in the unit of the spacing")
       ->type_name("SIZE");
   command
-      .add_option("--max-size", flags.filter.max_size,
+      .add_option("--max-size", flags.input.filter.max_size,
                   "report loops of this size and less only, in the unit of the spacing")
       ->type_name("SIZE");
   command.add_option("--side", flags.side, "report loops of this kind only")
@@ -123,6 +108,19 @@ void add_report_flags(CLI::App& command, LoopsFlags& flags) {
           "write the surface as a mesh, handle loops green, tunnel loops red, loops of neither "
           "kind blue")
       ->type_name("FILE");
+  command.add_option("--html", flags.html, "write a page to look at; - is standard output")
+      ->type_name("FILE|-");
+  add_page_flags(command, flags.page);
+  command
+      .add_option("--curves", flags.curves,
+                  "write the loops as curves: .vtp, .obj or .mrk.json (3D Slicer); may be repeated")
+      ->allow_extra_args(false)
+      ->type_name("FILE");
+  command
+      .add_option("--surface", flags.surface,
+                  "write the surface alone: .ply, .obj, .stl or .vtp; may be repeated")
+      ->allow_extra_args(false)
+      ->type_name("FILE");
 }
 
 }  // namespace
@@ -131,22 +129,19 @@ void add_loops_command(CLI::App& app) {
   CLI::App& command =
       *app.add_subcommand("loops", "find, prove and measure every handle loop and tunnel loop");
   auto flags = std::make_shared<LoopsFlags>();
-  add_volume_flags(command, flags->volume);
-  add_level_flags(command, flags->level);
+  add_volume_flags(command, flags->input.volume);
+  add_level_flags(command, flags->input.level);
   command
-      .add_option("--geodesic", flags->geodesic,
+      .add_option("--geodesic", flags->input.geodesic,
                   "how sizes are measured: exact is the definition to the letter and slow on thick "
                   "parts, hierarchy is exact up to five voxels")
       ->check(CLI::IsMember({"hierarchy", "exact"}))
       ->type_name("HOW")
       ->capture_default_str();
-  command
-      .add_option("--threads", flags->threads,
-                  "threads to use (default: one for each core); the result does not depend on it")
-      ->check(CLI::Range(1, 1024))
-      ->type_name("N");
-  add_engine_flags(command, flags->engine);
+  add_thread_flag(command, flags->input.threads);
+  add_engine_flags(command, flags->input.engine);
   add_report_flags(command, *flags);
+  add_progress_flags(command, flags->progress);
   command.footer(
       "Examples:\n"
       "  isoloop loops engine_256x256x128_uint8.raw --iso 70 --ply loops.ply\n"

@@ -1,4 +1,4 @@
-// One line on the terminal that says how far a long run has come.
+// How far a long run has come: one line on the terminal, or JSON for programs.
 #pragma once
 
 #include <chrono>
@@ -7,21 +7,42 @@
 #include <string>
 #include <thread>
 
-#include "core/analysis.h"
+#include "core/progress.h"
+#include "tools/cli_app.h"
 
 namespace isoloop {
 
+/// As typed.
+struct ProgressFlags {
+  bool quiet = false;
+  bool log_json = false;
+};
+
+/// Adds --quiet and --log-json. `flags` must outlive the parse.
+void add_progress_flags(CLI::App& command, ProgressFlags& flags);
+
+enum class ProgressForm { line, json };
+
 struct ProgressOptions {
   bool enabled = true;                           // false: stays silent
-  std::chrono::milliseconds quiet{1000};         // after the start: nothing is shown before
+  ProgressForm form = ProgressForm::line;        // json: an object for each call, from the start
+  std::chrono::milliseconds quiet{1000};         // after the start: no line is shown before
   std::chrono::milliseconds between_lines{100};  // the least time from one line to the next
 };
+
+/// A line where standard error is a terminal and --quiet is not given, JSON for --log-json.
+ProgressOptions progress_options(const ProgressFlags& flags);
 
 /// True if standard error is a terminal.
 bool stderr_is_terminal();
 
-/// Rewrites one line of `out` with the stage and its share. At most one line is ever there, and
-/// none once the object is gone. Calls may come from any thread.
+/// "12 s", "3 min", "1.5 h".
+std::string time_left_text(std::chrono::duration<double> left);
+
+/// Rewrites one line of `out` with the stage, its share and the time left, again every second. At
+/// most one line is ever there, and none once the object is gone. As JSON one object a line
+/// instead: "event" ("progress"), "stage", "share", "seconds" since the start. Calls may come from
+/// any thread.
 class ProgressLine {
  public:
   /// `out` must outlive the object.
@@ -43,7 +64,8 @@ class ProgressLine {
   using Clock = std::chrono::steady_clock;
 
   void write_line(const std::lock_guard<std::mutex>& held);
-  void wake_after_quiet(const std::stop_token& stop);
+  void write_json(const std::lock_guard<std::mutex>& held);
+  void tick(const std::stop_token& stop);
 
   std::ostream& out_;
   ProgressOptions options_;
@@ -51,9 +73,10 @@ class ProgressLine {
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_line_{};
   std::string stage_;
-  long percent_ = 0;
-  std::size_t shown_ = 0;  // characters of the line now on the terminal
-  std::jthread waker_;     // shows a stage that began in the quiet time; last, so it ends first
+  double share_ = 0.0;
+  std::chrono::duration<double> told_after_{};  // the start
+  std::size_t shown_ = 0;                       // characters of the line now on the terminal
+  std::jthread ticker_;  // shows the line again as time goes by; last, so it ends first
 };
 
 }  // namespace isoloop

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "core/errors.h"
@@ -32,9 +33,9 @@ struct MeshSize {
   std::uint64_t triangles = 0;
 };
 
-MeshSize size_of(const RunResult& run) {
+MeshSize size_of(const RunResult& run, std::span<const Loop> loops) {
   MeshSize size{run.analysis.surface.points.size(), run.analysis.surface.triangles.size()};
-  for (const Loop& loop : run.reported) {
+  for (const Loop& loop : loops) {
     for (const auto& curve : drawn_curves(run.analysis.surface, loop)) {
       if (curve.size() < 2) continue;
       size.vertices += curve.size() * tube_sides;
@@ -98,9 +99,9 @@ Vec3 world_point(const RunResult& run, std::uint32_t vertex) {
   return to_world(run.volume, {point[0], point[1], point[2]});
 }
 
-std::vector<Tube> tubes_of(const RunResult& run, double radius) {
+std::vector<Tube> tubes_of(const RunResult& run, std::span<const Loop> loops, double radius) {
   std::vector<Tube> tubes;
-  for (const Loop& loop : run.reported) {
+  for (const Loop& loop : loops) {
     for (std::vector<Vec3>& curve : drawn_curves(run.analysis.surface, loop)) {
       for (Vec3& point : curve) point = to_world(run.volume, point);
       tubes.push_back(closed_tube(curve, radius));
@@ -109,10 +110,10 @@ std::vector<Tube> tubes_of(const RunResult& run, double radius) {
   return tubes;
 }
 
-std::vector<Colour> surface_colours(const RunResult& run) {
+std::vector<Colour> surface_colours(const RunResult& run, std::span<const Loop> loops) {
   std::vector<Colour> colours(run.analysis.surface.points.size(), surface_grey);
   for (const LoopKind kind : {LoopKind::loop, LoopKind::tunnel, LoopKind::handle}) {
-    for (const Loop& loop : run.reported) {
+    for (const Loop& loop : loops) {
       if (loop.kind != kind) continue;
       for (const Curve& curve : curves_on_edges(loop)) {
         for (const std::uint32_t vertex : curve) colours[vertex] = colour_of(kind);
@@ -122,15 +123,16 @@ std::vector<Colour> surface_colours(const RunResult& run) {
   return colours;
 }
 
-void write_vertices(std::ostream& out, const RunResult& run, const std::vector<Tube>& tubes) {
+void write_vertices(std::ostream& out, const RunResult& run, std::span<const Loop> loops,
+                    const std::vector<Tube>& tubes) {
   std::vector<char> bytes;
-  const std::vector<Colour> colours = surface_colours(run);
+  const std::vector<Colour> colours = surface_colours(run, loops);
   for (std::uint32_t vertex = 0; vertex < colours.size(); ++vertex) {
     append_vertex(bytes, world_point(run, vertex), colours[vertex]);
     flush(out, bytes, chunk_bytes);
   }
   std::size_t tube = 0;
-  for (const Loop& loop : run.reported) {
+  for (const Loop& loop : loops) {
     for (std::size_t curve = 0; curve < loop.curves.size(); ++curve, ++tube) {
       for (const Vec3& point : tubes[tube].points) {
         append_vertex(bytes, point, colour_of(loop.kind));
@@ -162,15 +164,17 @@ void write_faces(std::ostream& out, const RunResult& run, const std::vector<Tube
 }  // namespace
 
 void write_ply(std::ostream& out, const RunResult& run, const MeshOptions& options) {
-  const MeshSize size = size_of(run);
+  std::span<const Loop> loops;
+  if (options.loops) loops = run.reported;
+  const MeshSize size = size_of(run, loops);
   if (size.vertices > static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max())) {
     throw LimitExceeded("the mesh has too many vertices for a PLY file");
   }
   const Vec3& spacing = run.volume.spacing;
   const double radius = options.tube_radius * *std::min_element(spacing.begin(), spacing.end());
-  const std::vector<Tube> tubes = tubes_of(run, radius);
+  const std::vector<Tube> tubes = tubes_of(run, loops, radius);
   write_header(out, run, size);
-  write_vertices(out, run, tubes);
+  write_vertices(out, run, loops, tubes);
   write_faces(out, run, tubes);
 }
 

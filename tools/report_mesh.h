@@ -9,6 +9,7 @@ namespace isoloop {
 
 struct MeshOptions {
   double tube_radius = 0.25;  // of the tube round each loop; in smallest voxel edges
+  bool loops = true;          // false: the surface alone, in grey
 };
 
 /// Writes a binary little-endian PLY: the surface in grey, its normals leading outside, and round

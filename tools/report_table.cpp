@@ -205,6 +205,12 @@ std::string frame_text(Frame frame) {
   return "index";
 }
 
+std::string frame_comment(const RunResult& run) {
+  const Vec3& spacing = run.volume.spacing;
+  return "frame " + frame_text(run.volume.frame) + ", spacing " + shortest_text(spacing[0]) + ' ' +
+         shortest_text(spacing[1]) + ' ' + shortest_text(spacing[2]) + " in the unit of lengths";
+}
+
 void write_table(std::ostream& out, const RunResult& run) {
   out << run.file << ": " << dims_text(run.volume.dims) << ' ' << type_name(run.volume.values)
       << ", inside is " << inside_text(run.level) << "\n\n";

@@ -29,4 +29,8 @@ std::string fix_text(LoopKind kind);
 /// "index", "world", "LPS" or "RAS".
 std::string frame_text(Frame frame);
 
+/// "frame index, spacing 1 1 1 in the unit of lengths": for comments in files. At most 70
+/// characters unless the spacing takes many digits.
+std::string frame_comment(const RunResult& run);
+
 }  // namespace isoloop

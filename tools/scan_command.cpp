@@ -30,6 +30,7 @@ struct ScanFlags {
   VolumeFlags volume;
   LevelFlags level;
   ScanRange range;
+  ProgressFlags progress;
   std::string json;  // file, "-" or empty
   std::string csv;   // file, "-" or empty
   std::string svg;   // file, "-" or empty
@@ -49,17 +50,13 @@ void scan(const ScanFlags& flags) {
   outputs.add("--json", flags.json, write_scan_json);
   outputs.add("--csv", flags.csv, write_scan_csv);
   outputs.add("--svg", flags.svg, write_scan_svg);
-  ProgressLine progress(std::cerr, {.enabled = stderr_is_terminal()});
+  ProgressLine progress(std::cerr, progress_options(flags.progress));
   LevelFlags level = flags.level;
   level.iso = 0.0;  // stands in until an iso value is proposed
   RunResult run = read_run(flags.volume, level);
   run.with_loops = false;
   const std::vector<double> isos = scan_values(flags.range, run.volume, run.range);
-  run.scan = scan_topology(view(run.volume), isos,
-                           {run.level.inside, run.level.topology, progress.callback()});
-  const Index3& dims = run.volume.dims;
-  run.plateaus = find_plateaus(run.scan, dims[0] * dims[1] * dims[2]);
-  run.proposed = proposed_row(run.scan, run.plateaus);
+  scan_run(run, isos, progress.callback());
   run.cost.total_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   run.cost.peak_bytes = peak_resident_bytes();
@@ -99,6 +96,14 @@ std::vector<double> scan_values(const ScanRange& range, const Volume& volume,
   return values;
 }
 
+void scan_run(RunResult& run, const std::vector<double>& isos, const Progress& progress) {
+  const Index3& dims = run.volume.dims;
+  run.scan =
+      scan_topology(view(run.volume), isos, {run.level.inside, run.level.topology, progress});
+  run.plateaus = find_plateaus(run.scan, dims[0] * dims[1] * dims[2]);
+  run.proposed = proposed_row(run.scan, run.plateaus);
+}
+
 void add_scan_command(CLI::App& app) {
   CLI::App& command = *app.add_subcommand(
       "scan", "count components, tunnels and cavities at all iso values, and propose one");
@@ -122,10 +127,12 @@ void add_scan_command(CLI::App& app) {
       ->type_name("FILE|-");
   command.add_option("--svg", flags->svg, "draw the counts as curves; - is standard output")
       ->type_name("FILE|-");
+  add_progress_flags(command, flags->progress);
   command.footer(
       "Examples:\n"
       "  isoloop scan engine_256x256x128_uint8.raw --svg curves.svg\n"
-      "  isoloop scan block.vdb --values 100 --from -2 --to 2 --csv curves.csv");
+      "  isoloop scan block.vdb --values 100 --from -2 --to 2 --csv curves.csv\n"
+      "  isoloop scan scan.raw --dims 512 512 300 --type i16 --from 0 --json -");
   command.callback([flags] { scan(*flags); });
 }
 

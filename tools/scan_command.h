@@ -4,8 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "core/progress.h"
 #include "tools/cli_app.h"
-#include "volume/volume.h"
+#include "tools/run_result.h"
 
 namespace isoloop {
 
@@ -21,6 +22,9 @@ struct ScanRange {
 /// InvalidArgument where the range is empty or not finite.
 std::vector<double> scan_values(const ScanRange& range, const Volume& volume,
                                 const ValueRange& voxels);
+
+/// Fills run.scan, run.plateaus and run.proposed. `isos`: ascending.
+void scan_run(RunResult& run, const std::vector<double>& isos, const Progress& progress);
 
 /// Adds the subcommand; parsing it counts components, tunnels and cavities at many iso values.
 /// Throws the errors of core/errors.h while it runs; then nothing has been written.

@@ -1,0 +1,64 @@
+#include "tools/loops_run.h"
+
+#include <chrono>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+#include <tbb/global_control.h>
+
+#include "tools/read_run.h"
+#include "tools/scan_command.h"
+
+namespace isoloop {
+
+void add_thread_flag(CLI::App& command, int& threads) {
+  command
+      .add_option("--threads", threads,
+                  "threads to use (default: one for each core); the result does not depend on it")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+}
+
+void check_engine_flags(const LoopsInput& input) {
+  pair_options(input.engine);
+  tighten_of(input.engine, boundary_of(input.level));
+}
+
+RunResult find_run(const LoopsInput& input, const Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  const PairOptions pair = pair_options(input.engine);
+  const Boundary boundary = boundary_of(input.level);
+  const Tighten tighten = tighten_of(input.engine, boundary);
+  std::optional<tbb::global_control> threads;
+  if (input.threads > 0)
+    threads.emplace(tbb::global_control::max_allowed_parallelism,
+                    static_cast<std::size_t>(input.threads));
+  RunResult run = read_run(input.volume, input.level);
+  run.geodesic = input.geodesic == "exact" ? GeodesicMode::exact : GeodesicMode::hierarchy;
+  run.engine = engine_of(input.engine);
+  run.refinement = pair.refinement;
+  run.tighten = tighten;
+  run.filter = input.filter;
+  run.analysis = find_loops(view(run.volume), run.level,
+                            {.boundary = boundary,
+                             .geodesic = run.geodesic,
+                             .engine = run.engine,
+                             .tighten = run.tighten,
+                             .pair = pair,
+                             .count_volume_triangles = input.engine.stats,
+                             .progress = progress,
+                             .max_bytes = run.cost.max_bytes});
+  check_counts(run.analysis);
+  check_loops(run.analysis);
+  run.reported = select_loops(run.analysis.loops, input.filter);
+  if (input.with_scan && boundary == Boundary::closed) {
+    if (progress) progress("scan", 0.95);
+    scan_run(run, scan_values({}, run.volume, run.range), {});
+  }
+  run.cost.total_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  run.cost.peak_bytes = peak_resident_bytes();
+  return run;
+}
+
+}  // namespace isoloop

@@ -1,0 +1,253 @@
+// Promises of the page, kept in headless Chromium. Run by tests/viewer_test.
+//   node test.mjs ISOLOOP FOLDER_OF_VOLUMES
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdtempSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import puppeteer from 'puppeteer-core';
+
+const [isoloop, volumes] = process.argv.slice(2);
+const work = mkdtempSync(join(tmpdir(), 'isoloop-viewer-'));
+const engine = join(volumes, 'engine_256x256x128_uint8.raw');
+const patience = { timeout: 240000 };
+
+const run = (...words) => execFileSync(isoloop, words, { cwd: work, stdio: ['ignore', 'ignore', 'pipe'] });
+
+const browser = await puppeteer.launch({
+  executablePath: '/usr/bin/chromium',
+  protocolTimeout: patience.timeout,
+  args: ['--no-sandbox', '--disable-dev-shm-usage', '--use-gl=angle', '--use-angle=swiftshader',
+         '--enable-unsafe-swiftshader'],
+});
+
+/// Opens a page from disk, without a network. `trouble`: what it complains of.
+async function open(file, { width = 1200, height = 800, dark = false } = {}) {
+  const page = await browser.newPage();
+  const trouble = [];
+  page.on('console', (m) => { if (['error', 'warn'].includes(m.type())) trouble.push(m.text()); });
+  page.on('pageerror', (e) => trouble.push(e.message));
+  page.on('request', (r) => { if (!/^(file|data|blob):/.test(r.url())) trouble.push(r.url()); });
+  await page.setViewport({ width, height });
+  await page.emulateMediaFeatures([
+    { name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' },
+    { name: 'prefers-reduced-motion', value: 'reduce' },
+  ]);
+  await page.goto(`file://${join(work, file)}`, { waitUntil: 'load', ...patience });
+  await page.waitForFunction(() => window.isoloop?.state.firstPicture, patience);
+  return { page, trouble };
+}
+
+const state = (page) => page.evaluate(() => window.isoloop.state);
+
+/// How many pixels of the picture are green, red, blue, and how bright its background is.
+const pixels = (page) => page.evaluate(() => {
+  const viewer = window.isoloop;
+  viewer.draw();
+  const { width, height } = viewer.canvas;
+  const copy = new OffscreenCanvas(width, height).getContext('2d');
+  copy.drawImage(viewer.canvas, 0, 0);
+  const { data } = copy.getImageData(0, 0, width, height);
+  const count = { green: 0, red: 0, grey: 0, other: 0, corner: data[0] };
+  for (let i = 0; i < data.length; i += 4) {
+    const [r, g, b] = [data[i], data[i + 1], data[i + 2]];
+    if (g > r + 50 && g > b + 50) ++count.green;
+    else if (r > g + 60 && r > b + 60) ++count.red;
+    else if (Math.abs(r - data[0]) + Math.abs(g - data[1]) + Math.abs(b - data[2]) > 24) ++count.grey;
+    else ++count.other;
+  }
+  return count;
+});
+
+const moved = (a, b) => Math.hypot(...a.camera.map((x, i) => x - b.camera[i]));
+
+const tests = {
+  async 'a torus has a green loop and a red one, in the picture too'() {
+    run('generate', 'torus', '--size', '48', '-o', 'torus.vdb');
+    run('view', 'torus.vdb', '-o', 'torus.html');
+    const { page, trouble } = await open('torus.html');
+    assert.equal((await state(page)).tubes, 2);
+    const all = await pixels(page);
+    assert.ok(all.green > 200 && all.red > 200 && all.grey > 5000, JSON.stringify(all));
+    assert.ok(all.corner > 240, 'light');
+    await page.click('#handles');
+    const tunnels = await pixels(page);
+    assert.equal((await state(page)).tubes, 1);
+    assert.equal(tunnels.green, 0);
+    assert.ok(tunnels.red > 200);
+    await page.click('#tunnels');
+    const none = await pixels(page);
+    assert.equal((await state(page)).tubes, 0);
+    assert.equal(none.red, 0);
+    assert.ok(none.grey > 5000, 'the surface is still there');
+    assert.deepEqual(trouble, []);
+  },
+
+  async 'a click on a row flies to its loop, and a click on a loop finds its row'() {
+    const { page, trouble } = await open('torus.html');
+    const before = await state(page);
+    const rows = await page.$$('#rows tr');
+    assert.equal(rows.length, 2);
+    await rows[0].click();
+    const after = await state(page);
+    assert.ok(moved(before, after) > 5, 'the camera moves');
+    assert.equal(await page.$eval('#rows tr[aria-selected=true]', (r) => r.rowIndex), 1);
+    assert.match(await page.$eval('#status', (p) => p.textContent), /^handle loop 1: size /);
+    assert.ok((await pixels(page)).green > 500);
+    // From here the loop's own middle point is in the middle of the picture: click beside it.
+    const spot = await page.evaluate(() => {
+      const viewer = window.isoloop;
+      viewer.choose(undefined);
+      const curve = viewer.data.loops[0].curves[0];
+      const p = viewer.camera.position.clone().fromArray(curve, 0).project(viewer.camera);
+      const box = viewer.canvas.getBoundingClientRect();
+      return [box.left + ((p.x + 1) / 2) * box.width, box.top + ((1 - p.y) / 2) * box.height];
+    });
+    assert.equal((await state(page)).chosen, undefined);
+    await page.mouse.click(...spot);
+    assert.equal((await state(page)).chosen, 0);
+    await page.keyboard.press('Escape');
+    assert.equal((await state(page)).chosen, undefined);
+    assert.deepEqual(trouble, []);
+  },
+
+  async 'the slider of the least size takes small loops away'() {
+    const { page } = await open('torus.html');
+    const rows = () => page.$$eval('#rows tr', (r) => r.length);
+    assert.equal(await rows(), 2);
+    await page.$eval('#least', (e) => { e.value = '1000'; e.dispatchEvent(new Event('input')); });
+    assert.equal(await rows(), (await state(page)).tubes);
+    assert.equal(await rows(), 1);
+  },
+
+  async 'the slice shows the voxels'() {
+    const { page } = await open('torus.html');
+    const before = await pixels(page);
+    await page.click('#sliced');
+    assert.ok((await pixels(page)).grey > before.grey + 5000);
+    const values = await page.$eval('#picture', (c) => new Set(
+      c.getContext('2d').getImageData(0, 0, c.width, c.height).data).size);
+    assert.ok(values > 20, `${values} grey values`);
+  },
+
+  async 'a column sorts by a click on its head'() {
+    const { page } = await open('torus.html');
+    const lengths = () => page.$$eval('#rows tr', (rows) => rows.map((r) => Number(r.cells[2].textContent)));
+    await page.click('#head th:nth-child(3) button');
+    const up = await lengths();
+    assert.equal(await page.$eval('#head th:nth-child(3)', (h) => h.ariaSort), 'ascending');
+    await page.click('#head th:nth-child(3) button');
+    assert.deepEqual(await lengths(), up.reverse());
+  },
+
+  async 'a screen reader finds names for all that can be used'() {
+    const { page } = await open('torus.html');
+    const tree = await page.accessibility.snapshot({ interestingOnly: true });
+    const nameless = [];
+    const look = (node) => {
+      if (/button|checkbox|slider|combobox/i.test(node.role) && !node.name) nameless.push(node);
+      (node.children ?? []).forEach(look);
+    };
+    look(tree);
+    assert.deepEqual(nameless, []);
+    await page.focus('canvas');
+    const before = await state(page);
+    await page.keyboard.press('ArrowLeft');
+    assert.ok(moved(before, await state(page)) > 1, 'arrow keys turn the picture');
+  },
+
+  async 'it is dark where the reader wants it dark, and fits a phone'() {
+    const { page, trouble } = await open('torus.html', { width: 390, height: 844, dark: true });
+    const seen = await pixels(page);
+    assert.ok(seen.corner < 40, 'dark');
+    assert.ok(seen.green > 30 && seen.red > 30, JSON.stringify(seen));
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+    assert.ok(wide <= 390, `${wide} pixels wide`);
+    const view = await page.$eval('#view', (e) => e.getBoundingClientRect().height);
+    assert.ok(view >= 250, `${view} pixels of picture`);
+    await page.click('#rows button');
+    assert.equal((await state(page)).chosen, 0);
+    assert.deepEqual(trouble, []);
+  },
+
+  async 'pages of a ball and of no surface say so and are usable'() {
+    run('generate', 'ball', '--size', '32', '-o', 'ball.vdb');
+    run('view', 'ball.vdb', '-o', 'ball.html');
+    run('view', 'ball.vdb', '--iso', '-1000', '-o', 'empty.html');
+    const ball = await open('ball.html');
+    assert.ok((await pixels(ball.page)).grey > 20000);
+    assert.match(await ball.page.$eval('#status', (p) => p.textContent), /no loops/);
+    await ball.page.click('#home');
+    await ball.page.click('#sliced');
+    const empty = await open('empty.html');
+    assert.match(await empty.page.$eval('#message', (p) => p.textContent), /no surface/);
+    await empty.page.click('#sliced');
+    assert.ok((await pixels(empty.page)).grey > 20000, 'the slice');
+    assert.deepEqual([...ball.trouble, ...empty.trouble], []);
+  },
+
+  async 'ten thousand loops are usable'() {
+    const n = 39;
+    let seed = 1;
+    const noise = Float32Array.from({ length: n ** 3 }, () => {
+      seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0;
+      return seed / 2 ** 31 - 1;
+    });
+    writeFileSync(join(work, `noise_${n}x${n}x${n}_float32.raw`), noise);
+    run('view', `noise_${n}x${n}x${n}_float32.raw`, '--iso', '0', '-o', 'many.html');
+    const { page, trouble } = await open('many.html');
+    const loops = await page.evaluate(() => window.isoloop.data.loops.length);
+    assert.ok(loops >= 9500, `${loops} loops`);
+    assert.equal((await state(page)).tubes, loops);
+    assert.ok((await page.$$('#rows tr')).length < 1000, 'rows come in portions');
+    await page.evaluate((last) => window.isoloop.choose(last), loops - 1);
+    assert.equal(await page.$$eval('#rows tr[aria-selected=true]', (r) => r.length), 1);
+    const start = Date.now();
+    await page.$eval('#least', (e) => { e.value = '700'; e.dispatchEvent(new Event('input')); });
+    const left = (await state(page)).tubes;
+    assert.ok(left > 0 && left < loops);
+    console.log(`     ${loops} loops, the slider takes ${Date.now() - start} ms`);
+    assert.deepEqual(trouble, []);
+  },
+
+  async 'the engine: 40 loops, 8 MB, 3 s, every tunnel by the keyboard'() {
+    if (!existsSync(engine)) return `needs ${engine}`;
+    run('view', engine, '--iso', '70', '-o', 'engine.html');
+    const bytes = statSync(join(work, 'engine.html')).size;
+    assert.ok(bytes <= 8e6, `${bytes} bytes`);
+    const { page, trouble } = await open('engine.html');
+    const first = await state(page);
+    assert.equal(first.tubes, 40);
+    console.log(`     ${bytes} bytes, first picture after ${Math.round(first.firstPicture)} ms`);
+    const seen = await pixels(page);
+    assert.ok(seen.green > 1000 && seen.red > 500, JSON.stringify(seen));
+    await page.focus('#rows button');
+    const tunnels = new Set();
+    await page.keyboard.press('Enter');
+    for (let i = 0; i < 39; ++i) {
+      await page.keyboard.press('ArrowDown');
+      const words = await page.$eval('#status', (p) => p.textContent);
+      if (words.startsWith('tunnel')) tunnels.add(words);
+    }
+    assert.equal(tunnels.size, 20);
+    assert.ok((await pixels(page)).red > 500, 'the last tunnel loop is in sight');
+    assert.ok(first.firstPicture <= 3000, `first picture after ${first.firstPicture} ms`);
+    assert.deepEqual(trouble, []);
+  },
+};
+
+let failed = 0;
+const only = process.argv[4];
+for (const [name, test] of Object.entries(tests)) {
+  if (only && !name.includes(only)) continue;
+  try {
+    const missing = await test();
+    console.log(missing ? `skip ${name}: ${missing}` : `ok   ${name}`);
+  } catch (error) {
+    ++failed;
+    console.log(`FAIL ${name}\n${error.stack}`);
+  }
+}
+await browser.close();
+rmSync(work, { recursive: true });
+process.exit(failed === 0 ? 0 : 1);
