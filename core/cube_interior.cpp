@@ -9,8 +9,8 @@
 namespace isoloop {
 namespace {
 
-using Rational = boost::multiprecision::number<boost::multiprecision::cpp_rational::backend_type,
-                                               boost::multiprecision::et_off>;
+using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
+                                              boost::multiprecision::et_off>;
 
 /// A double and a bound on its distance from the exact value; of magnitude at most about 1.
 struct Rounded {
@@ -34,14 +34,63 @@ Rounded operator*(const Rounded& a, const Rounded& b) {
                        Rounded::unit * std::abs(product) + Rounded::underflow};
 }
 
+/// A sum of by_power[k] e^k with an infinitesimal e > 0; up to twice the discriminant's degree.
+struct Infinitesimal {
+  std::array<Integer, 9> by_power{};
+
+  int sign() const {
+    for (const Integer& factor : by_power)
+      if (factor.sign() != 0) return factor.sign();
+    return 0;
+  }
+};
+
+Infinitesimal operator+(Infinitesimal a, const Infinitesimal& b) {
+  for (std::size_t k = 0; k < a.by_power.size(); ++k) a.by_power[k] += b.by_power[k];
+  return a;
+}
+
+Infinitesimal operator-(Infinitesimal a, const Infinitesimal& b) {
+  for (std::size_t k = 0; k < a.by_power.size(); ++k) a.by_power[k] -= b.by_power[k];
+  return a;
+}
+
+Infinitesimal operator*(const Infinitesimal& a, const Infinitesimal& b) {
+  Infinitesimal product;
+  for (std::size_t i = 0; i < a.by_power.size(); ++i) {
+    if (a.by_power[i].is_zero()) continue;
+    for (std::size_t k = 0; i + k < a.by_power.size(); ++k)
+      if (!b.by_power[k].is_zero()) product.by_power[i + k] += a.by_power[i] * b.by_power[k];
+  }
+  return product;
+}
+
 double largest_of(const CornerLevels& levels) {
   double largest = 0.0;
   for (const double level : levels) largest = std::max(largest, std::abs(level));
   return largest;
 }
 
-/// Sign of polynomial(levels), exact: by rationals where doubles cannot tell. The polynomial must
-/// be homogeneous.
+/// The levels times a power of two that makes them whole.
+std::array<Integer, 8> whole_levels(const CornerLevels& levels) {
+  constexpr int digits = std::numeric_limits<double>::digits;
+  std::array<int, 8> exponent{};
+  std::array<double, 8> mantissa{};
+  int least = std::numeric_limits<int>::max();
+  for (int c = 0; c < 8; ++c) {
+    mantissa[c] = std::ldexp(std::frexp(levels[c], &exponent[c]), digits);
+    if (levels[c] != 0.0) least = std::min(least, exponent[c]);
+  }
+  std::array<Integer, 8> whole;
+  for (int c = 0; c < 8; ++c)
+    if (levels[c] != 0.0)
+      whole[c] = Integer(static_cast<std::int64_t>(mantissa[c])) << (exponent[c] - least);
+  return whole;
+}
+
+/// Sign of polynomial(levels), exact: by integers where doubles cannot tell. Where it is 0, that
+/// after all levels but those that are 0 are lowered by next to nothing, and those that are 0
+/// raised by next to nothing of that. The polynomial must be homogeneous, of degree 4 at most.
 template <class Polynomial>
 int sign_of(const CornerLevels& levels, const Polynomial& polynomial) {
   int exponent = 0;
@@ -50,9 +99,15 @@ int sign_of(const CornerLevels& levels, const Polynomial& polynomial) {
   for (int c = 0; c < 8; ++c) scaled[c] = {std::ldexp(levels[c], -exponent), Rounded::underflow};
   const Rounded value = polynomial(scaled);
   if (std::abs(value.value) > 2 * value.error) return value.value > 0 ? 1 : -1;
-  std::array<Rational, 8> exact;
-  for (int c = 0; c < 8; ++c) exact[c] = Rational(levels[c]);
-  return Rational(polynomial(exact)).sign();
+  const std::array<Integer, 8> exact = whole_levels(levels);
+  const int sign = Integer(polynomial(exact)).sign();
+  if (sign != 0) return sign;
+  std::array<Infinitesimal, 8> moved;
+  for (int c = 0; c < 8; ++c) {
+    moved[c].by_power[0] = exact[c];
+    moved[c].by_power[levels[c] == 0.0 ? 2 : 1] = levels[c] == 0.0 ? 1 : -1;
+  }
+  return polynomial(moved).sign();
 }
 
 /// Corners of the four edges along `axis` in ring order, at their lower ends.

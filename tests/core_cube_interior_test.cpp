@@ -125,6 +125,24 @@ TEST(CubeInterior, ATieOnAFaceDoesNotHideATunnel) {
   EXPECT_GT(tunnels, 100);
 }
 
+TEST(CubeInterior, CornersAtTheIsoValueAreInside) {
+  // All cubes of four levels, 0 among them, beside the cube followed from slice to slice.
+  constexpr std::array<double, 4> values{-3, -1, 0, 2};
+  int tunnels = 0;
+  for (unsigned n = 0; n < 65536; ++n) {
+    CornerLevels levels{};
+    for (unsigned c = 0; c < 8; ++c) levels[c] = values[n >> (2 * c) & 3U];
+    const LevelCut cut = cut_of(levels);
+    if (cube_cut(cut.inside, cut.joined, false).hubs.count == 0) continue;
+    const oracle::SweptCube swept = oracle::sweep(levels);
+    ASSERT_EQ(cut.hub.has_value(), swept.cycles[0] + swept.cycles[1] > 0) << n;
+    tunnels += cut.hub ? 1 : 0;
+  }
+  EXPECT_GT(tunnels, 100);
+  // Six corners at the iso value round a diagonal: below it the ends of the diagonal are joined.
+  EXPECT_EQ(interior_tunnel(along_diagonal(-1, 0)), Side::outside);
+}
+
 TEST(CubeInterior, SignsAreExactAtAnyScale) {
   for (const int exponent : {490, -260, -990}) {
     const double scale = std::ldexp(1.0, exponent);
