@@ -58,6 +58,11 @@ struct StepSums {
   }
 };
 
+struct Sweep {
+  StepSums sums;
+  Joins joins;
+};
+
 void add_to(std::vector<std::int64_t>& differences, Steps steps, std::int64_t amount) {
   differences[steps.first] += amount;
   differences[steps.last] -= amount;
@@ -112,7 +117,7 @@ class Scanner {
   const RankedGrid& ranked() const { return ranked_; }
 
   /// The sums over all cubes, and the joins that edges do not make.
-  std::pair<StepSums, Joins> sweep() const {
+  Sweep sweep() const {
     const std::uint32_t layers = ranked_.lattice.dims[2] - 1;
     std::vector<Joins> joins(layers);
     const StepSums sums = tbb::parallel_reduce(
@@ -347,21 +352,21 @@ std::vector<ScanRow> scan_grid(const GridView<T>& grid, std::span<const double> 
   const RankedGrid& ranked = scanner.ranked();
   const std::size_t steps = iso_values.size();
   tell("cubes", 0.1);
-  auto [sums, joins] = scanner.sweep();
+  const Sweep sweep = scanner.sweep();
   tell("components", 0.5);
   const ByStep vertices =
       sorted_by_step(ranked.rank.size(), steps, [&](std::size_t v) { return ranked.rank[v]; });
   std::vector<std::int64_t> inside;
   std::vector<std::int64_t> outside;
   tbb::parallel_invoke(
-      [&] { inside = component_counts(ranked, vertices, joins.inside, Side::inside); },
-      [&] { outside = component_counts(ranked, vertices, joins.outside, Side::outside); });
+      [&] { inside = component_counts(ranked, vertices, sweep.joins.inside, Side::inside); },
+      [&] { outside = component_counts(ranked, vertices, sweep.joins.outside, Side::outside); });
   std::vector<ScanRow> rows(steps);
   std::int64_t discs = 0;
   std::int64_t cut_edges = 0;
   for (std::size_t s = 0; s < steps; ++s) {
-    discs += sums.discs[s];
-    cut_edges += sums.cut_edges[s];
+    discs += sweep.sums.discs[s];
+    cut_edges += sweep.sums.cut_edges[s];
     ScanRow& row = rows[options.inside == InsideRule::above ? s : steps - 1 - s];
     row.iso = ranked.isos[s];
     row.euler = discs - cut_edges;

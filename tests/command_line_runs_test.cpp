@@ -217,5 +217,62 @@ TEST_F(CommandLine, SameBytesForEveryThreadCount) {
   EXPECT_EQ(outputs[0], outputs[2]);
 }
 
+TEST_F(CommandLine, ScanCountsAsCountDoes) {
+  ASSERT_EQ(run({"generate", "plate", "--size", "24", "--holes", "2", "-o", "p.vdb"}).exit_code, 0);
+  const ProcessResult scanned = run({"scan", "p.vdb", "--from", "-1", "--to", "1", "--values", "9",
+                                     "--json", "-", "--svg", "curves.svg"});
+  ASSERT_EQ(scanned.exit_code, 0) << scanned.err;
+  const Json json = Json::parse(scanned.out);
+  ASSERT_EQ(json.at("scan").size(), 9U);
+  for (const Json& row : json.at("scan")) {
+    const ProcessResult counted =
+        run({"count", "p.vdb", "--iso", row.at("iso").dump(), "--json", "-"});
+    EXPECT_EQ(Json::parse(counted.out).at("betti"),
+              Json({{"b0", row.at("b0")}, {"b1", row.at("b1")}, {"b2", row.at("b2")}}))
+        << row;
+  }
+  EXPECT_TRUE(scratch_.read("curves.svg").starts_with("<svg"));
+  expect_failure({"scan", "p.vdb", "--from", "2", "--to", "1"}, 2, "leave no iso value");
+  expect_failure({"scan", "p.vdb", "--from"}, 2, "--from wants a number");
+}
+
+TEST_F(CommandLine, PageAndExportsStandBesideTheTable) {
+  scratch_.write("ring_5x5x3_uint8.raw", ring_bytes());
+  const Words flags{"ring_5x5x3_uint8.raw", "--iso", "0.5"};
+  const auto with = [&](Words arguments, const Words& more) {
+    arguments.insert(arguments.end(), flags.begin(), flags.end());
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  };
+  const ProcessResult viewed = run(with({"view"}, {"-o", "page.html"}));
+  EXPECT_EQ(viewed.exit_code, 0) << viewed.err;
+  EXPECT_NE(viewed.out.find("verified: "), std::string::npos);
+  const ProcessResult found = run(with({"loops"}, {"--html", "b.html", "--curves", "c.obj",
+                                                   "--curves", "c.vtp", "--surface", "s.stl"}));
+  EXPECT_EQ(found.exit_code, 0) << found.err;
+  EXPECT_EQ(scratch_.read("page.html"), scratch_.read("b.html"));
+  for (const char* file : {"c.obj", "c.vtp", "s.stl"}) EXPECT_FALSE(scratch_.read(file).empty());
+  expect_failure(with({"loops"}, {"--curves", "c.txt"}), 2, ".vtp, .obj and .mrk.json");
+  expect_failure(with({"loops"}, {"--surface", "s.mrk.json"}), 2, ".ply, .obj, .stl and .vtp");
+  expect_failure(with({"view"}, {}), 2, "--output");
+}
+
+TEST_F(CommandLine, ProgressAsJsonIsAnObjectALineAndSoIsAnError) {
+  scratch_.write("ring_5x5x3_uint8.raw", ring_bytes());
+  const ProcessResult result = run({"loops", "ring_5x5x3_uint8.raw", "--iso", "1", "--log-json"});
+  EXPECT_EQ(result.exit_code, 0);
+  std::istringstream lines(result.err);
+  std::string stages;
+  for (std::string line; std::getline(lines, line);)
+    stages += Json::parse(line).at("stage").get<std::string>() + ' ';
+  EXPECT_EQ(stages, "surface closest sizes pass loops ");
+  const ProcessResult missing = run({"count", "none.raw", "--iso", "1", "--log-json"});
+  EXPECT_EQ(missing.exit_code, 3);
+  EXPECT_EQ(Json::parse(missing.err).at("event"), "error");
+  EXPECT_EQ(Json::parse(missing.err).at("code"), 3);
+  EXPECT_EQ(run({"count", "ring_5x5x3_uint8.raw", "--iso", "1", "--quiet"}).err, "");
+  expect_failure({"count", "ring_5x5x3_uint8.raw", "--iso", "1", "--quiet", "--dims"}, 2, "--dims");
+}
+
 }  // namespace
 }  // namespace isoloop

@@ -136,7 +136,10 @@ TEST(CubeInterior, CornersAtTheIsoValueAreInside) {
     if (cube_cut(cut.inside, cut.joined, false).hubs.count == 0) continue;
     const oracle::SweptCube swept = oracle::sweep(levels);
     ASSERT_EQ(cut.hub.has_value(), swept.cycles[0] + swept.cycles[1] > 0) << n;
-    tunnels += cut.hub ? 1 : 0;
+    if (!cut.hub) continue;
+    ++tunnels;
+    for (const Vec3& point : tunnel_ring(levels, *cut.hub, 1e-3))
+      for (const double share : point) ASSERT_TRUE(share >= 1e-3 && share <= 1 - 1e-3) << n;
   }
   EXPECT_GT(tunnels, 100);
   // Six corners at the iso value round a diagonal: below it the ends of the diagonal are joined.
