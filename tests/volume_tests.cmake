@@ -1,6 +1,7 @@
 isoloop_add_tests(isoloop_volume_tests
   SOURCES
     volume_atomic_file_test.cpp
+    volume_child_process_test.cpp
     volume_curve_distance_test.cpp
     volume_engine_block_test.cpp
     volume_file_kind_test.cpp
@@ -9,7 +10,14 @@ isoloop_add_tests(isoloop_volume_tests
     volume_read_test.cpp
     volume_shape_field_test.cpp
     volume_shapes_test.cpp
+    volume_vdb_message_test.cpp
     volume_vdb_test.cpp
     volume_volume_test.cpp
     volume_write_test.cpp
-  LIBRARIES isoloop::volume OpenVDB::openvdb TBB::tbb)
+  LIBRARIES isoloop::volume isoloop_vdb_decode OpenVDB::openvdb TBB::tbb)
+
+add_executable(isoloop_child_for_tests child_for_tests.cpp)
+target_link_libraries(isoloop_child_for_tests PRIVATE isoloop::volume isoloop_options)
+target_compile_definitions(isoloop_volume_tests PRIVATE
+  ISOLOOP_CHILD_FOR_TESTS="$<TARGET_FILE:isoloop_child_for_tests>")
+add_dependencies(isoloop_volume_tests isoloop_child_for_tests)

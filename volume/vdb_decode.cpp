@@ -1,30 +1,27 @@
-#include "volume/vdb.h"
+#include "volume/vdb_decode.h"
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
+#include <istream>
 #include <limits>
-#include <utility>
+#include <new>
+#include <stdexcept>
 #include <vector>
 
 #include <openvdb/io/Stream.h>
 #include <openvdb/openvdb.h>
-#include <openvdb/tools/Dense.h>
 
 #include "core/errors.h"
-#include "volume/memory_limit.h"
+#include "volume/vdb_message.h"
 
 namespace isoloop {
 namespace {
 
 constexpr double shear_tolerance = 1e-6;  // cosine between two index axes
 
-openvdb::GridPtrVec read_grids(const std::filesystem::path& path) {
+openvdb::GridPtrVec read_grids(std::istream& file, const std::string& what) {
   openvdb::initialize();
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InvalidInput(path.string() + ": cannot be opened; check that you may read it");
-  const std::string damaged =
-      path.string() + ": not a whole OpenVDB file; fetch or export it again";
+  const std::string damaged = what + ": not a whole OpenVDB file; fetch or export it again";
   try {
     // OpenVDB does not check its reads: without these exceptions a truncated file is accepted.
     file.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);
@@ -33,7 +30,9 @@ openvdb::GridPtrVec read_grids(const std::filesystem::path& path) {
   } catch (const std::ios_base::failure&) {
     throw InvalidInput(damaged + " (it ends too early)");
   } catch (const std::bad_alloc&) {
-    throw InvalidInput(damaged + " (it asks for more memory than there is)");
+    throw;
+  } catch (const std::length_error&) {
+    throw std::bad_alloc();
   } catch (const std::exception& error) {
     throw InvalidInput(damaged + " (" + error.what() + ")");
   }
@@ -133,92 +132,59 @@ openvdb::CoordBBox box_of(const openvdb::GridBase& grid, VdbMargin margin,
   return {box.min().offsetBy(-layers), box.max().offsetBy(layers)};
 }
 
+Index3 minus(const openvdb::Coord& a, const openvdb::Coord& b) {
+  return {std::int64_t{a[0]} - b[0], std::int64_t{a[1]} - b[1], std::int64_t{a[2]} - b[2]};
+}
+
 template <class Grid>
-VoxelArray densify(const Grid& grid, const openvdb::CoordBBox& box, std::uint64_t count) {
+void send_blocks(const Grid& grid, const openvdb::CoordBBox& box, std::ostream& out) {
   using Value = typename Grid::ValueType;
-  std::vector<Value> values(count);
-  openvdb::tools::Dense<Value, openvdb::tools::LayoutXYZ> dense(box, values.data());
-  openvdb::tools::copyToDense(grid, dense);
-  return values;
-}
-
-std::vector<float> float_values(const VoxelArray& values) {
-  return std::visit(
-      []<class T>(const std::vector<T>& stored) {
-        std::vector<float> floats(stored.size());
-        std::transform(stored.begin(), stored.end(), floats.begin(),
-                       [](T value) { return static_cast<float>(value); });
-        return floats;
-      },
-      values);
-}
-
-openvdb::math::Transform::Ptr transform_of(const Volume& volume) {
-  openvdb::Mat4d matrix = openvdb::Mat4d::identity();
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      matrix(static_cast<int>(axis), static_cast<int>(c)) =
-          volume.spacing[axis] * volume.direction[axis][c];
-    }
-    matrix(3, static_cast<int>(axis)) = volume.origin[axis];
+  const Value background = grid.background();
+  auto tile = grid.tree().cbeginValueAll();
+  tile.setMaxDepth(Grid::TreeType::ValueAllCIter::LEAF_DEPTH - 1);
+  for (; tile; ++tile) {
+    if (*tile == background) continue;
+    openvdb::CoordBBox part;
+    tile.getBoundingBox(part);
+    part.intersect(box);
+    if (part.empty()) continue;
+    send_tile<Value>(out, minus(part.min(), box.min()), minus(part.max(), box.min()), *tile);
   }
-  return openvdb::math::Transform::createLinearTransform(matrix);
-}
-
-openvdb::FloatGrid::Ptr to_grid(const Volume& volume, const std::string& what) {
-  openvdb::Coord top;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (volume.dims[axis] > std::numeric_limits<openvdb::Int32>::max()) {
-      throw InvalidInput(what + ": OpenVDB cannot hold " + dims_text(volume.dims) + " voxels");
-    }
-    top[static_cast<int>(axis)] = static_cast<openvdb::Int32>(volume.dims[axis] - 1);
+  for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf) {
+    if (!box.hasOverlap(leaf->getNodeBoundingBox())) continue;
+    static_assert(Grid::TreeType::LeafNodeType::SIZE == leaf_voxels);
+    const std::span<const Value, leaf_voxels> values(leaf->buffer().data(), leaf_voxels);
+    send_leaf<Value>(out, minus(leaf->origin(), box.min()), values);
   }
-  const ValueRange range = value_range(volume);
-  const auto background = static_cast<float>(volume.level_set ? range.max : range.min);
-  auto grid = openvdb::FloatGrid::create(background);
-  std::vector<float> values = float_values(volume.values);
-  const openvdb::tools::Dense<float, openvdb::tools::LayoutXYZ> dense(
-      openvdb::CoordBBox(openvdb::Coord(0), top), values.data());
-  openvdb::tools::copyFromDense(dense, *grid, /*tolerance=*/0.0F);
-  grid->setTransform(transform_of(volume));
-  grid->setGridClass(volume.level_set ? openvdb::GRID_LEVEL_SET : openvdb::GRID_FOG_VOLUME);
-  const char* const usual_name = volume.level_set ? "surface" : "density";
-  grid->setName(volume.name.empty() ? usual_name : volume.name);
-  return grid;
 }
 
 }  // namespace
 
-Volume read_vdb(const std::filesystem::path& path, const std::string& grid, std::uint64_t max_bytes,
-                VdbMargin margin) {
-  const openvdb::GridBase::ConstPtr chosen = choose_grid(read_grids(path), grid, path.string());
-  const std::string what = path.string() + ": grid '" + chosen->getName() + "'";
-  const openvdb::CoordBBox box = box_of(*chosen, margin, what);
-  Volume volume;
-  set_frame(volume, chosen->transform(), box.min(), what);
+void decode_vdb(std::istream& file, const VdbRequest& request, const std::string& what,
+                std::ostream& out) {
+  const openvdb::GridBase::ConstPtr chosen =
+      choose_grid(read_grids(file, what), request.grid, what);
+  const std::string grid = what + ": grid '" + chosen->getName() + "'";
+  const openvdb::CoordBBox box = box_of(*chosen, request.margin, grid);
+  VdbHeader header;
+  set_frame(header.volume, chosen->transform(), box.min(), grid);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const int a = static_cast<int>(axis);
-    volume.dims[axis] = std::int64_t{box.max()[a]} - box.min()[a] + 1;
+    header.volume.dims[axis] = std::int64_t{box.max()[a]} - box.min()[a] + 1;
   }
+  header.volume.level_set = chosen->getGridClass() == openvdb::GRID_LEVEL_SET;
+  header.volume.name = chosen->getName();
   const auto floats = openvdb::gridConstPtrCast<openvdb::FloatGrid>(chosen);
-  check_voxel_memory(volume.dims, floats ? sizeof(float) : sizeof(double), max_bytes, what);
-  const std::uint64_t count = checked_voxel_count(volume.dims, what);
-  volume.values = floats ? densify(*floats, box, count)
-                         : densify(static_cast<const openvdb::DoubleGrid&>(*chosen), box, count);
-  volume.level_set = chosen->getGridClass() == openvdb::GRID_LEVEL_SET;
-  volume.name = chosen->getName();
-  return volume;
-}
-
-void write_vdb(std::ostream& out, const Volume& volume, const std::string& what) {
-  try {
-    openvdb::initialize();
-    openvdb::io::Stream stream(out);
-    stream.setCompression(openvdb::io::COMPRESS_BLOSC | openvdb::io::COMPRESS_ACTIVE_MASK);
-    stream.write(openvdb::GridPtrVec{to_grid(volume, what)});
-  } catch (const openvdb::Exception& error) {
-    throw InvalidInput(what + ": OpenVDB cannot write the volume: " + error.what());
+  const auto doubles = openvdb::gridConstPtrCast<openvdb::DoubleGrid>(chosen);
+  header.type = floats ? VoxelType::float32 : VoxelType::float64;
+  header.background = floats ? floats->background() : doubles->background();
+  send_header(out, header);
+  if (floats) {
+    send_blocks(*floats, box, out);
+  } else {
+    send_blocks(*doubles, box, out);
   }
+  send_end(out);
 }
 
 }  // namespace isoloop
