@@ -34,9 +34,29 @@ TEST(ReadVolume, GoesByTheExtension) {
 
 TEST(ReadVolume, AnUnknownExtensionListsWhatIsSupported) {
   const TempFolder folder;
-  write_bytes(folder / "a.stl", "solid");
-  const std::string message = message_of<InvalidInput>([&] { read_volume(folder / "a.stl"); });
+  write_bytes(folder / "a.xyz", "solid");
+  const std::string message = message_of<InvalidInput>([&] { read_volume(folder / "a.xyz"); });
   EXPECT_TRUE(contains(message, ".raw") && contains(message, ".vdb")) << message;
+  EXPECT_TRUE(contains(message, ".stl")) << message;
+}
+
+TEST(ReadVolume, StepIsOutOfScopeAndSaysSo) {
+  const TempFolder folder;
+  write_bytes(folder / "a.stp", "ISO-10303-21;");
+  const std::string message = message_of<InvalidInput>([&] { read_volume(folder / "a.stp"); });
+  EXPECT_TRUE(contains(message, "STEP") && contains(message, ".stl")) << message;
+}
+
+TEST(ReadVolume, VoxelSizesAreForMeshes) {
+  const TempFolder folder;
+  write_bytes(folder / "a_2x1x1_uint8.raw", "ab");
+  EXPECT_THROW(read_volume(folder / "a_2x1x1_uint8.raw", {.voxel_size = {.resolution = 9}}),
+               InvalidArgument);
+  const std::string off =
+      "OFF\n4 4 0\n0 0 0\n9 0 0\n0 9 0\n0 0 9\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+  write_bytes(folder / "a.off", off);
+  EXPECT_TRUE(read_volume(folder / "a.off", {.voxel_size = {.resolution = 9}}).level_set);
+  EXPECT_THROW(read_volume(folder / "a.off"), InvalidArgument);
 }
 
 TEST(ReadVolume, MissingFilesFoldersAndDevicesAreRefusedByName) {

@@ -6,6 +6,7 @@ isoloop_add_tests(isoloop_volume_tests
     volume_engine_block_test.cpp
     volume_file_kind_test.cpp
     volume_memory_limit_test.cpp
+    volume_mesh_test.cpp
     volume_raw_test.cpp
     volume_read_test.cpp
     volume_shape_field_test.cpp
@@ -13,6 +14,7 @@ isoloop_add_tests(isoloop_volume_tests
     volume_vdb_message_test.cpp
     volume_vdb_test.cpp
     volume_volume_test.cpp
+    volume_voxelize_test.cpp
     volume_write_test.cpp
   LIBRARIES isoloop::volume isoloop_vdb_decode OpenVDB::openvdb TBB::tbb)
 

@@ -10,6 +10,7 @@
 #include "tools/input_flags.h"
 #include "tools/number_text.h"
 #include "tools/output_files.h"
+#include "tools/read_run.h"
 #include "tools/report_table.h"
 #include "volume/memory_limit.h"
 
@@ -53,6 +54,7 @@ void add_info_command(CLI::App& app) {
       "  isoloop info cloud.vdb --grid density");
   command.callback([flags] {
     const Volume volume = read_volume(flags->file, read_options(*flags));
+    print_warnings(std::cerr, volume);
     write_info(std::cout, flags->file, volume);
     finish_stdout();
   });

@@ -60,7 +60,10 @@ std::size_t numbers_after(std::string_view flag) {
 }  // namespace
 
 void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
-  command.add_option("FILE", flags.file, "volume to read: .raw or .vdb")->required()->type_name("");
+  command
+      .add_option("FILE", flags.file, "volume to read: .raw or .vdb; or mesh: .stl .ply .obj .off")
+      ->required()
+      ->type_name("");
   command.add_option("--dims", flags.dims, "voxels along x, y and z of a raw file")
       ->type_name("X Y Z");
   command
@@ -79,6 +82,14 @@ void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
                   "length per voxel of a raw file: one number, or one for each axis (default 1)")
       ->type_name("S | X Y Z");
   command.add_option("--grid", flags.grid, "name of the grid in a .vdb file")->type_name("NAME");
+  command
+      .add_option("--voxel", flags.voxel_size.length,
+                  "length of the voxels that a mesh is turned into, in its unit")
+      ->type_name("LENGTH");
+  command
+      .add_option("--resolution", flags.voxel_size.resolution,
+                  "or their number along the mesh's longest side")
+      ->type_name("VOXELS");
   command
       .add_option("--nan-as", flags.nan_as, "read NaN voxels as this value; else they are refused")
       ->type_name("VALUE");
@@ -136,6 +147,7 @@ ReadOptions read_options(const VolumeFlags& flags) {
   if (flags.nan_as && std::isnan(*flags.nan_as)) {
     throw InvalidArgument("--nan-as wants a number to stand in for NaN");
   }
+  options.voxel_size = flags.voxel_size;
   if (!flags.max_memory.empty()) options.max_bytes = parse_bytes(flags.max_memory);
   return options;
 }

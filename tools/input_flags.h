@@ -25,6 +25,7 @@ struct VolumeFlags {
   std::string grid;              // name of the grid in a .vdb file; empty: the only one
   std::optional<double> nan_as;  // the value that takes the place of NaN
   std::string max_memory;        // "4G"; empty: what the machine can spare
+  VoxelSize voxel_size;          // of a mesh
 };
 
 /// Where the solid's border runs, as typed.

@@ -2,11 +2,18 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iostream>
 
 #include "tools/memory_cap.h"
 #include "volume/memory_limit.h"
 
 namespace isoloop {
+
+void print_warnings(std::ostream& out, const Volume& volume) {
+  for (const std::string& warning : volume.warnings) {
+    out << "isoloop: warning: " << warning << '\n';
+  }
+}
 
 RunResult read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flags) {
   const auto start = std::chrono::steady_clock::now();
@@ -21,6 +28,7 @@ RunResult read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flag
   run.volume = read_volume(volume_flags.file, options);
   const std::uint64_t limit = options.max_bytes > 0 ? options.max_bytes : available;
   run.cost.max_bytes = limit - std::min(limit, peak_resident_bytes());
+  print_warnings(std::cerr, run.volume);
   run.range = value_range(run.volume);
   run.level = iso_level(level_flags, run.volume);
   run.cost.read_seconds =

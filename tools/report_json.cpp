@@ -51,7 +51,9 @@ Json input_of(const RunResult& run) {
           {"level_set", volume.level_set},
           {"minimum", run.range.min},
           {"maximum", run.range.max},
-          {"nan_as", run.nan_as ? Json(*run.nan_as) : Json()}};
+          {"nan_as", run.nan_as ? Json(*run.nan_as) : Json()},
+          {"notes", volume.notes},
+          {"warnings", volume.warnings}};
 }
 
 Json conventions_of(const RunResult& run) {

@@ -28,8 +28,9 @@ std::uint64_t checked_voxel_bytes(const Index3& dims, std::uint64_t bytes_per_vo
                             " make no volume; each must be at least 1");
     }
     if (static_cast<std::uint64_t>(dim) > most / bytes) {
-      throw LimitExceeded(what + ": " + dims_text(dims) +
-                          " voxels are more than can be counted; check the dimensions");
+      throw LimitExceeded(
+          what + ": " + dims_text(dims) +
+          " voxels are more than can be counted, whatever --max-memory is; check the dimensions");
     }
     bytes *= static_cast<std::uint64_t>(dim);
   }
@@ -57,6 +58,17 @@ void check_voxel_memory(const Index3& dims, std::uint64_t bytes_per_voxel, std::
       what + ": " + dims_text(dims) + " voxels of " + std::to_string(bytes_per_voxel) +
       (bytes_per_voxel == 1 ? " byte need " : " bytes need ") + bytes_text(bytes) +
       ", and the limit is " + bytes_text(limit) + "; raise --max-memory or take a smaller volume");
+}
+
+void check_voxel_memory(const Index3& dims, std::uint64_t bytes_per_voxel,
+                        const VoxelLimits& limits, const std::string& what) {
+  const std::uint64_t voxels = checked_voxel_count(dims, what);
+  if (limits.max_voxels > 0 && voxels > limits.max_voxels) {
+    throw LimitExceeded(what + ": " + dims_text(dims) + " are " + std::to_string(voxels) +
+                        " voxels, and the limit is " + std::to_string(limits.max_voxels) +
+                        "; raise --max-voxels or take a smaller volume");
+  }
+  check_voxel_memory(dims, bytes_per_voxel, limits.max_bytes, what);
 }
 
 std::string dims_text(const Index3& dims) {

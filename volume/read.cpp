@@ -7,6 +7,7 @@
 
 #include "core/errors.h"
 #include "volume/file_kind.h"
+#include "volume/mesh.h"
 #include "volume/vdb.h"
 
 namespace isoloop {
@@ -27,11 +28,29 @@ void check_is_file(const std::filesystem::path& path) {
   }
 }
 
+bool is_step(const std::filesystem::path& path) {
+  const std::string extension = path.extension().string();
+  return extension == ".step" || extension == ".stp" || extension == ".STEP" || extension == ".STP";
+}
+
 Volume read_by_kind(const std::filesystem::path& path, const ReadOptions& options) {
+  const VoxelLimits limits{options.max_bytes, options.max_voxels};
+  if (is_mesh(path)) {
+    const Mesh mesh = read_mesh(path, options.max_bytes);
+    return voxelize(mesh, options.voxel_size, limits, path.string());
+  }
+  if (options.voxel_size.length || options.voxel_size.resolution) {
+    throw InvalidArgument(
+        path.string() + ": --voxel and --resolution are for meshes (.stl, .ply, " + ".obj, .off)");
+  }
   const std::optional<FileKind> kind = file_kind(path);
   if (!kind) {
+    if (is_step(path)) {
+      throw InvalidInput(path.string() + ": STEP files hold exact solids, which isoloop does not " +
+                         "read; export a mesh (.stl) from the CAD program");
+    }
     throw InvalidInput(path.string() + ": unknown kind of file; isoloop reads " +
-                       supported_extensions());
+                       supported_extensions() + ", and meshes: .stl, .ply, .obj and .off");
   }
   return *kind == FileKind::raw ? read_raw(path, options.raw, options.max_bytes)
                                 : read_vdb(path, options.grid, options.max_bytes, options.margin);

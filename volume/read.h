@@ -9,6 +9,7 @@
 #include "volume/raw.h"
 #include "volume/vdb.h"
 #include "volume/volume.h"
+#include "volume/voxelize.h"
 
 namespace isoloop {
 
@@ -18,10 +19,12 @@ struct ReadOptions {
   VdbMargin margin = VdbMargin::background;  // of a .vdb file
   std::optional<double> nan_as{};  // takes the place of NaN, in voxel values; unset: NaN is refused
   std::uint64_t max_bytes = 0;     // most bytes of voxels; 0: 80 % of the available memory
+  std::uint64_t max_voxels = 0;    // most voxels; 0: no bound of its own
+  VoxelSize voxel_size{};          // of a mesh, see voxelize
 };
 
-/// Reads a .raw or .vdb file; see read_raw and read_vdb for shape and frame. The result holds no
-/// NaN.
+/// Reads a .raw or .vdb file, or a mesh that it voxelises; see read_raw, read_vdb and voxelize for
+/// shape and frame. The result holds no NaN.
 /// Throws InvalidArgument (options that do not fit the file), LimitExceeded (more voxels than
 /// max_bytes allows; before they are asked for), and InvalidInput (a file that is missing, of
 /// another kind, damaged, or that holds NaN while nan_as is unset).

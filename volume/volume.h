@@ -32,8 +32,10 @@ struct Volume {
   // direction[a]: unit world vector along index axis a
   std::array<Vec3, 3> direction{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
   Frame frame = Frame::index;
-  bool level_set = false;  // a signed distance: inside is below, iso defaults to 0
-  std::string name{};      // of the grid within the file; empty where files hold one
+  bool level_set = false;               // a signed distance: inside is below, iso defaults to 0
+  std::string name{};                   // of the grid within the file; empty where files hold one
+  std::vector<std::string> notes{};     // what was read how; a sentence each
+  std::vector<std::string> warnings{};  // what a user should look at; a sentence each
 };
 
 /// The voxels as core/ sees them. Valid while `volume` lives and keeps its values.

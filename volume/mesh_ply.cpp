@@ -1,0 +1,338 @@
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <optional>
+
+#include "volume/mesh_text.h"
+
+namespace isoloop {
+namespace {
+
+enum class Scalar { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+struct ScalarName {
+  std::string_view name;
+  std::string_view old_name;
+  std::size_t bytes;
+};
+
+constexpr std::array<ScalarName, 8> scalars{{{"int8", "char", 1},
+                                             {"uint8", "uchar", 1},
+                                             {"int16", "short", 2},
+                                             {"uint16", "ushort", 2},
+                                             {"int32", "int", 4},
+                                             {"uint32", "uint", 4},
+                                             {"float32", "float", 4},
+                                             {"float64", "double", 8}}};
+
+std::size_t bytes_of(Scalar scalar) { return scalars.at(static_cast<std::size_t>(scalar)).bytes; }
+
+bool is_whole(Scalar scalar) { return scalar < Scalar::float32; }
+
+enum class Use { none, x, y, z, corners };
+
+struct Property {
+  Use use = Use::none;
+  Scalar type = Scalar::float32;
+  std::optional<Scalar> count{};  // of a list
+};
+
+struct Element {
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<Property> properties;
+};
+
+enum class Format { ascii, little, big };
+
+struct Header {
+  Format format = Format::ascii;
+  std::vector<Element> elements;
+  std::size_t lines = 0;  // of the header
+  std::size_t bytes = 0;
+};
+
+Scalar scalar_of(const LineReader& lines, std::string_view word) {
+  for (std::size_t s = 0; s < scalars.size(); ++s) {
+    if (word == scalars[s].name || word == scalars[s].old_name) return static_cast<Scalar>(s);
+  }
+  throw lines.error("a property is of no type that PLY has");
+}
+
+Use use_of(const Element& element, std::string_view name, bool list) {
+  if (element.name == "face" && list && (name == "vertex_indices" || name == "vertex_index")) {
+    return Use::corners;
+  }
+  if (element.name != "vertex" || list) return Use::none;
+  if (name == "x") return Use::x;
+  if (name == "y") return Use::y;
+  return name == "z" ? Use::z : Use::none;
+}
+
+Property property_of(const LineReader& lines, const Element& element) {
+  const auto& words = lines.words();
+  Property property;
+  const bool list = words.size() == 5 && words[1] == "list";
+  if (!list && words.size() != 3) throw lines.error("a property is not stated as PLY has it");
+  if (list) {
+    property.count = scalar_of(lines, words[2]);
+    if (!is_whole(*property.count)) throw lines.error("the length of a list is a whole number");
+  }
+  property.type = scalar_of(lines, words[list ? 3 : 1]);
+  property.use = use_of(element, words[list ? 4 : 2], list);
+  if (property.use == Use::corners && !is_whole(property.type)) {
+    throw lines.error("corners are whole numbers");
+  }
+  for (const Property& other : element.properties) {
+    if (property.use != Use::none && other.use == property.use) {
+      throw lines.error("a property is stated twice");
+    }
+  }
+  return property;
+}
+
+Header parse_header(std::string_view bytes, const std::string& what) {
+  constexpr std::string_view last_line = "end_header";
+  const std::size_t found = bytes.find("\nend_header");
+  const std::size_t end = found == std::string_view::npos ? found : bytes.find('\n', found + 1);
+  if (!bytes.starts_with("ply") || end == std::string_view::npos) {
+    throw InvalidInput(what + ": no whole PLY header, from 'ply' to '" + std::string(last_line) +
+                       "'; fetch or export the file again");
+  }
+  Header header;
+  header.bytes = end + 1;
+  const std::string_view text = bytes.substr(0, header.bytes);
+  header.lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  LineReader lines(text, what);
+  lines.next();
+  bool has_format = false;
+  while (lines.next()) {
+    const auto& words = lines.words();
+    if (words[0] == "comment" || words[0] == "obj_info") continue;
+    if (words[0] == last_line) break;
+    if (words[0] == "format") {
+      has_format = words.size() == 3 && words[2] == "1.0";
+      if (has_format && words[1] == "binary_little_endian") {
+        header.format = Format::little;
+      } else if (has_format && words[1] == "binary_big_endian") {
+        header.format = Format::big;
+      } else if (!has_format || words[1] != "ascii") {
+        throw lines.error("no format that PLY has");
+      }
+    } else if (words[0] == "element") {
+      if (words.size() != 3) throw lines.error("an element has a name and a count");
+      constexpr std::int64_t most = std::int64_t{1} << 62;
+      header.elements.push_back(
+          {std::string(words[1]), static_cast<std::uint64_t>(lines.whole(words[2], 0, most)), {}});
+    } else if (words[0] == "property" && !header.elements.empty()) {
+      header.elements.back().properties.push_back(property_of(lines, header.elements.back()));
+    } else {
+      throw lines.error("no line of a PLY header begins so");
+    }
+  }
+  if (!has_format) throw lines.error("the format is missing");
+  return header;
+}
+
+/// The values of the body, one after the other.
+class Body {
+ public:
+  virtual ~Body() = default;
+  virtual void begin_item() = 0;
+  virtual double value(Scalar type) = 0;
+  virtual InvalidInput error(const std::string& why) const = 0;
+  virtual std::uint64_t bytes_left() const = 0;
+  virtual std::uint64_t least_bytes(Scalar type) const = 0;
+  /// No list of this item is longer.
+  virtual std::uint64_t most_values(Scalar type) const = 0;
+};
+
+class BinaryBody : public Body {
+ public:
+  BinaryBody(std::string_view bytes, std::size_t at, bool big, std::string what)
+      : bytes_(bytes),
+        at_(at),
+        swap_(big != (std::endian::native == std::endian::big)),
+        what_(std::move(what)) {}
+
+  void begin_item() override {}
+  double value(Scalar type) override {
+    switch (type) {
+      case Scalar::int8:
+        return stored<std::int8_t>();
+      case Scalar::uint8:
+        return stored<std::uint8_t>();
+      case Scalar::int16:
+        return stored<std::int16_t>();
+      case Scalar::uint16:
+        return stored<std::uint16_t>();
+      case Scalar::int32:
+        return stored<std::int32_t>();
+      case Scalar::uint32:
+        return stored<std::uint32_t>();
+      case Scalar::float32:
+        return stored<float>();
+      case Scalar::float64:
+        return stored<double>();
+    }
+    return 0.0;
+  }
+  InvalidInput error(const std::string& why) const override {
+    return InvalidInput(what_ + ": byte " + std::to_string(at_) + ": " + why +
+                        "; fetch or export the file again");
+  }
+  std::uint64_t bytes_left() const override { return bytes_.size() - at_; }
+  std::uint64_t least_bytes(Scalar type) const override { return bytes_of(type); }
+  std::uint64_t most_values(Scalar type) const override { return bytes_left() / bytes_of(type); }
+
+ private:
+  template <class T>
+  T stored() {
+    if (bytes_left() < sizeof(T)) throw error("the file ends too early");
+    std::array<char, sizeof(T)> raw{};
+    bytes_.copy(raw.data(), sizeof(T), at_);
+    at_ += sizeof(T);
+    if (swap_) std::reverse(raw.begin(), raw.end());
+    return std::bit_cast<T>(raw);
+  }
+
+  std::string_view bytes_;
+  std::size_t at_;
+  bool swap_;
+  std::string what_;
+};
+
+/// One item in each line, as PLY asks for.
+class AsciiBody : public Body {
+ public:
+  AsciiBody(std::string_view text, const std::string& what, std::size_t first_line)
+      : lines_(text, what, first_line) {}
+
+  void begin_item() override {
+    expect_end_of_line();
+    if (!lines_.next()) throw lines_.error("the file ends too early");
+    word_ = 0;
+  }
+  double value(Scalar) override { return lines_.number(word_++); }
+  InvalidInput error(const std::string& why) const override { return lines_.error(why); }
+  std::uint64_t bytes_left() const override { return lines_.bytes_left(); }
+  std::uint64_t least_bytes(Scalar) const override { return 2; }
+  std::uint64_t most_values(Scalar) const override { return lines_.words().size(); }
+  void expect_end() {
+    expect_end_of_line();
+    if (lines_.next()) throw lines_.error("more lines than the header states");
+  }
+
+ private:
+  void expect_end_of_line() const {
+    if (word_ != lines_.words().size()) throw lines_.error("more numbers than the header states");
+  }
+
+  LineReader lines_;
+  std::size_t word_ = 0;
+};
+
+std::int64_t whole(const Body& body, double value, double least, double most) {
+  if (value >= least && value <= most && value == std::floor(value)) {
+    return static_cast<std::int64_t>(value);
+  }
+  const std::string range = std::to_string(static_cast<std::int64_t>(least)) + " to " +
+                            std::to_string(static_cast<std::int64_t>(most));
+  throw body.error("a whole number from " + range + " is expected");
+}
+
+/// Throws before anything is allocated if the rest of the file cannot hold the element.
+void check_room(const Body& body, const Element& element) {
+  std::uint64_t item = 0;
+  for (const Property& property : element.properties) {
+    item += body.least_bytes(property.count ? *property.count : property.type);
+  }
+  if (element.count == 0) return;
+  if (item == 0) throw body.error("an element without properties");
+  if (element.count > body.bytes_left() / item) {
+    throw body.error("the rest of the file is too short for what the header states");
+  }
+}
+
+void read_corners(Body& body, const Property& property, std::size_t points, bool used,
+                  std::vector<std::uint32_t>& polygon) {
+  const double stated = body.value(*property.count);
+  const auto most = static_cast<double>(body.most_values(property.type));
+  const std::int64_t count = whole(body, stated, used ? 3.0 : 0.0, most);
+  polygon.clear();
+  for (std::int64_t c = 0; c < count; ++c) {
+    const double value = body.value(property.type);
+    if (!used) continue;
+    const double last = static_cast<double>(points) - 1.0;
+    polygon.push_back(static_cast<std::uint32_t>(whole(body, value, 0.0, last)));
+  }
+}
+
+void read_element(Body& body, const Element& element, Mesh& mesh) {
+  check_room(body, element);
+  const bool vertex = element.name == "vertex";
+  const bool face = element.name == "face";
+  std::array<bool, 5> has{};
+  for (const Property& property : element.properties) {
+    has.at(static_cast<std::size_t>(property.use)) = true;
+  }
+  if (vertex && !(has[1] && has[2] && has[3])) throw body.error("vertices have no x, y and z");
+  if (face && !has[4]) throw body.error("faces have no vertex_indices");
+  if (vertex) mesh.points.reserve(mesh.points.size() + element.count);
+  std::vector<std::uint32_t> polygon;
+  for (std::uint64_t i = 0; i < element.count; ++i) {
+    body.begin_item();
+    Vec3 point{};
+    for (const Property& property : element.properties) {
+      if (property.count) {
+        const bool used = property.use == Use::corners;
+        read_corners(body, property, mesh.points.size(), used, polygon);
+        if (used) append_fan(mesh, polygon);
+        continue;
+      }
+      const double value = body.value(property.type);
+      if (property.use == Use::none) continue;
+      if (!std::isfinite(value)) throw body.error("a coordinate is not finite");
+      point.at(static_cast<std::size_t>(property.use) - 1) = value;
+    }
+    if (vertex) mesh.points.push_back(point);
+  }
+}
+
+Mesh read_elements(Body& body, const Header& header) {
+  Mesh mesh;
+  int vertices = 0;
+  for (const Element& element : header.elements) {
+    vertices += element.name == "vertex" ? 1 : 0;
+    if (vertices > 1) throw body.error("two lists of vertices");
+    if (element.count > static_cast<std::uint64_t>(most_points)) {
+      throw body.error("the header states more than isoloop can number");
+    }
+    read_element(body, element, mesh);
+  }
+  return mesh;
+}
+
+}  // namespace
+
+Mesh parse_ply(std::string_view bytes, const std::string& what) {
+  const Header header = parse_header(bytes, what);
+  if (header.format == Format::ascii) {
+    AsciiBody body(bytes.substr(header.bytes), what, header.lines + 1);
+    Mesh mesh = read_elements(body, header);
+    body.expect_end();
+    return mesh;
+  }
+  BinaryBody body(bytes, header.bytes, header.format == Format::big, what);
+  Mesh mesh = read_elements(body, header);
+  if (body.bytes_left() > 0) {
+    throw body.error("the file is longer than its header states, by " +
+                     std::to_string(body.bytes_left()) + " bytes");
+  }
+  return mesh;
+}
+
+}  // namespace isoloop
