@@ -96,8 +96,12 @@ TEST(ReadOptionsOfFlags, CarriesEveryFlag) {
                                             .skip = 12,
                                             .spacing = "2",
                                             .grid = "density",
+                                            .frame = 3,
+                                            .affine = "qform",
+                                            .world = "lps",
                                             .nan_as = -1.0,
-                                            .max_memory = "1K"});
+                                            .max_memory = "1K",
+                                            .max_voxels = 99});
   EXPECT_EQ(options.raw.dims, (Index3{4, 5, 6}));
   EXPECT_EQ(options.raw.type, VoxelType::int16);
   EXPECT_EQ(options.raw.endian, Endian::big);
@@ -105,7 +109,12 @@ TEST(ReadOptionsOfFlags, CarriesEveryFlag) {
   EXPECT_EQ(options.raw.spacing, (Vec3{2, 2, 2}));
   EXPECT_EQ(options.grid, "density");
   EXPECT_EQ(options.nan_as, -1.0);
+  EXPECT_EQ(options.format.spacing, (Vec3{2, 2, 2}));
+  EXPECT_EQ(options.format.frame, 3);
+  EXPECT_EQ(options.format.transform, NiftiTransform::qform);
+  EXPECT_EQ(options.world, Frame::lps);
   EXPECT_EQ(options.max_bytes, 1024U);
+  EXPECT_EQ(options.max_voxels, 99U);
 }
 
 Volume two_voxels(bool level_set) {

@@ -8,6 +8,11 @@ namespace {
 TEST(FileKind, GoesByTheExtensionWhateverItsCase) {
   EXPECT_EQ(file_kind("a/b.raw"), FileKind::raw);
   EXPECT_EQ(file_kind("a/b.VDB"), FileKind::vdb);
+  EXPECT_EQ(file_kind("a/b.NII.gz"), FileKind::nifti);
+  EXPECT_EQ(file_kind("b.hdr"), FileKind::nifti);
+  EXPECT_EQ(file_kind("b.nhdr"), FileKind::nrrd);
+  EXPECT_EQ(file_kind("b.mhd"), FileKind::meta_image);
+  EXPECT_FALSE(file_kind("a/b.raw.gz"));
   EXPECT_FALSE(file_kind("a/b.stl"));
   EXPECT_FALSE(file_kind("a.raw/b"));
   EXPECT_FALSE(file_kind(""));

@@ -169,8 +169,8 @@ TEST(RawReader, ChecksTheLimitBeforeItAllocatesOrReads) {
   EXPECT_THROW(read_raw(path, {}), LimitExceeded);
   const auto small = folder / "a_2x2x2_uint8.raw";
   write_bytes(small, "abcdefgh");
-  EXPECT_THROW(read_raw(small, {}, 7), LimitExceeded);
-  EXPECT_NO_THROW(read_raw(small, {}, 8));
+  EXPECT_THROW(read_raw(small, {}, {.max_bytes = 7}), LimitExceeded);
+  EXPECT_NO_THROW(read_raw(small, {}, {.max_bytes = 8}));
 }
 
 TEST(RawReader, MissingFilesAreInvalidInputByName) {

@@ -7,6 +7,9 @@ isoloop_add_tests(isoloop_volume_tests
     volume_file_kind_test.cpp
     volume_memory_limit_test.cpp
     volume_mesh_test.cpp
+    volume_meta_image_test.cpp
+    volume_nifti_test.cpp
+    volume_nrrd_test.cpp
     volume_raw_test.cpp
     volume_read_test.cpp
     volume_shape_field_test.cpp
@@ -16,7 +19,7 @@ isoloop_add_tests(isoloop_volume_tests
     volume_volume_test.cpp
     volume_voxelize_test.cpp
     volume_write_test.cpp
-  LIBRARIES isoloop::volume isoloop_vdb_decode OpenVDB::openvdb TBB::tbb)
+  LIBRARIES isoloop::volume isoloop_vdb_decode OpenVDB::openvdb TBB::tbb ZLIB::ZLIB)
 
 add_executable(isoloop_child_for_tests child_for_tests.cpp)
 target_link_libraries(isoloop_child_for_tests PRIVATE isoloop::volume isoloop_options)

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -45,8 +46,9 @@ std::string read_back_flags(const std::filesystem::path& path, const Shape& shap
 
 void generate(const GenerateFlags& flags) {
   const std::filesystem::path path(flags.output);
-  if (!file_kind(path)) {
-    throw InvalidArgument(flags.output + ": volumes are written as " + supported_extensions());
+  const std::optional<FileKind> kind = file_kind(path);
+  if (!kind || !is_written(*kind)) {
+    throw InvalidArgument(flags.output + ": volumes are written as " + written_extensions());
   }
   check_writable(path);
   const Shape shape = make_shape(flags.shape, flags.options);

@@ -21,6 +21,19 @@ std::string vector_text(const Vec3& v) {
   return shortest_text(v[0]) + " " + shortest_text(v[1]) + " " + shortest_text(v[2]);
 }
 
+// Rows of the map from voxel indices to the world.
+std::string affine_text(const Volume& volume) {
+  std::string text;
+  for (std::size_t row = 0; row < 3; ++row) {
+    text += row == 0 ? "" : ", ";
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      text += shortest_text(volume.direction[axis][row] * volume.spacing[axis]) + " ";
+    }
+    text += shortest_text(volume.origin[row]);
+  }
+  return text;
+}
+
 void write_info(std::ostream& out, const std::string& file, const Volume& volume) {
   const ValueRange range = value_range(volume);
   const std::uint64_t voxels = checked_voxel_count(volume.dims, file);
@@ -35,10 +48,12 @@ void write_info(std::ostream& out, const std::string& file, const Volume& volume
       << "direction  " << vector_text(volume.direction[0]) << ", "
       << vector_text(volume.direction[1]) << ", " << vector_text(volume.direction[2]) << '\n'
       << "frame      " << frame_text(volume.frame) << '\n'
+      << "affine     " << affine_text(volume) << '\n'
       << "level set  "
       << (volume.level_set ? "yes: --iso 0 --inside below unless stated otherwise"
                            : "no: --iso must be stated, --inside is above unless stated otherwise")
       << '\n';
+  for (const std::string& note : volume.notes) out << "note       " << note << '\n';
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "core/errors.h"
 #include "tools/number_text.h"
+#include "volume/file_kind.h"
 
 namespace isoloop {
 namespace {
@@ -42,15 +43,16 @@ std::vector<Number> parse_list(std::string_view text, const std::string& complai
 
 // How many numbers may follow a flag.
 std::size_t numbers_after(std::string_view flag) {
-  constexpr std::array<std::pair<std::string_view, std::size_t>, 9> counts{{{"--dims", 3},
-                                                                            {"--spacing", 3},
-                                                                            {"--iso", 1},
-                                                                            {"--nan-as", 1},
-                                                                            {"--min-size", 1},
-                                                                            {"--max-size", 1},
-                                                                            {"--values", 1},
-                                                                            {"--from", 1},
-                                                                            {"--to", 1}}};
+  constexpr std::array<std::pair<std::string_view, std::size_t>, 10> counts{{{"--dims", 3},
+                                                                             {"--frame", 1},
+                                                                             {"--spacing", 3},
+                                                                             {"--iso", 1},
+                                                                             {"--nan-as", 1},
+                                                                             {"--min-size", 1},
+                                                                             {"--max-size", 1},
+                                                                             {"--values", 1},
+                                                                             {"--from", 1},
+                                                                             {"--to", 1}}};
   for (const auto& [name, count] : counts) {
     if (flag == name) return count;
   }
@@ -61,7 +63,8 @@ std::size_t numbers_after(std::string_view flag) {
 
 void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
   command
-      .add_option("FILE", flags.file, "volume to read: .raw or .vdb; or mesh: .stl .ply .obj .off")
+      .add_option("FILE", flags.file,
+                  "volume to read: " + supported_extensions() + "; or mesh: .stl .ply .obj .off")
       ->required()
       ->type_name("");
   command.add_option("--dims", flags.dims, "voxels along x, y and z of a raw file")
@@ -79,9 +82,22 @@ void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
       ->type_name("BYTES");
   command
       .add_option("--spacing", flags.spacing,
-                  "length per voxel of a raw file: one number, or one for each axis (default 1)")
+                  "length per voxel: one number, or one for each axis; replaces what the file says "
+                  "of its place (not of a .vdb file)")
       ->type_name("S | X Y Z");
   command.add_option("--grid", flags.grid, "name of the grid in a .vdb file")->type_name("NAME");
+  command.add_option("--frame", flags.frame, "which volume of a 4-D file, counted from 0")
+      ->type_name("N");
+  command
+      .add_option("--affine", flags.affine,
+                  "which of a NIfTI file's maps to the world to use (default sform, then qform)")
+      ->check(CLI::IsMember({"sform", "qform"}))
+      ->type_name("WHICH");
+  command
+      .add_option("--world", flags.world,
+                  "frame of world coordinates: ras or lps; default the file's own")
+      ->check(CLI::IsMember({"ras", "lps"}))
+      ->type_name("FRAME");
   command
       .add_option("--voxel", flags.voxel_size.length,
                   "length of the voxels that a mesh is turned into, in its unit")
@@ -99,6 +115,11 @@ void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
           "give up, exit code 4, rather than use more, for example 4G (default: 80 % of what "
           "is free)")
       ->type_name("SIZE");
+  command
+      .add_option("--max-voxels", flags.max_voxels,
+                  "give up, exit code 4, on a volume of more voxels")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N");
 }
 
 void add_convention_flags(CLI::App& command, LevelFlags& flags) {
@@ -141,7 +162,16 @@ ReadOptions read_options(const VolumeFlags& flags) {
   }
   options.raw.endian = flags.endian == "big" ? Endian::big : Endian::little;
   options.raw.skip = flags.skip;
-  if (!flags.spacing.empty()) options.raw.spacing = parse_spacing(flags.spacing);
+  if (!flags.spacing.empty()) {
+    options.format.spacing = parse_spacing(flags.spacing);
+    options.raw.spacing = *options.format.spacing;
+  }
+  options.format.frame = flags.frame;
+  if (flags.affine == "sform") options.format.transform = NiftiTransform::sform;
+  if (flags.affine == "qform") options.format.transform = NiftiTransform::qform;
+  if (flags.world == "ras") options.world = Frame::ras;
+  if (flags.world == "lps") options.world = Frame::lps;
+  options.max_voxels = flags.max_voxels;
   options.grid = flags.grid;
   options.nan_as = flags.nan_as;
   if (flags.nan_as && std::isnan(*flags.nan_as)) {

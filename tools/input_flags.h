@@ -20,12 +20,16 @@ struct VolumeFlags {
   std::string dims;  // "64 64 32" or "64x64x32" voxels; empty: not given
   std::string type;  // of the voxels, "u8" to "f64"; empty: not given
   std::string endian = "little";
-  std::uint64_t skip = 0;        // bytes before the first voxel
-  std::string spacing;           // one length per voxel, or one for each axis; empty: 1
-  std::string grid;              // name of the grid in a .vdb file; empty: the only one
-  std::optional<double> nan_as;  // the value that takes the place of NaN
-  std::string max_memory;        // "4G"; empty: what the machine can spare
-  VoxelSize voxel_size;          // of a mesh
+  std::uint64_t skip = 0;  // bytes before the first voxel
+  std::string spacing;     // one length per voxel, or one for each axis; empty: the file's
+  std::string grid;        // name of the grid in a .vdb file; empty: the only one
+  std::optional<std::int64_t> frame;  // of a 4-D file, from 0
+  std::string affine;                 // "sform", "qform" or empty: as NIfTI's standard says
+  std::string world;                  // "ras", "lps" or empty: the file's frame
+  std::optional<double> nan_as;       // the value that takes the place of NaN
+  std::string max_memory;             // "4G"; empty: what the machine can spare
+  std::uint64_t max_voxels = 0;       // 0: no bound of its own
+  VoxelSize voxel_size;               // of a mesh
 };
 
 /// Where the solid's border runs, as typed.

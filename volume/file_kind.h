@@ -7,12 +7,18 @@
 
 namespace isoloop {
 
-enum class FileKind { raw, vdb };
+enum class FileKind { raw, vdb, nifti, nrrd, meta_image };
 
 /// By the extension, whatever its case. Nothing for one that isoloop does not know.
 std::optional<FileKind> file_kind(const std::filesystem::path& path);
 
-/// ".raw or .vdb", for messages.
+/// ".raw, .vdb, ... or .nii", for messages: of the files that isoloop reads.
 std::string supported_extensions();
+
+/// Whether isoloop writes volumes of this kind too: .raw and .vdb.
+bool is_written(FileKind kind);
+
+/// ".raw or .vdb", for messages.
+std::string written_extensions();
 
 }  // namespace isoloop

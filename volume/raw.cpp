@@ -1,11 +1,8 @@
 #include "volume/raw.h"
 
-#include <algorithm>
-#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <fstream>
 #include <limits>
 #include <ostream>
 #include <regex>
@@ -13,23 +10,11 @@
 #include <string>
 
 #include "core/errors.h"
-#include "volume/memory_limit.h"
+#include "volume/byte_stream.h"
+#include "volume/stored_voxels.h"
 
 namespace isoloop {
 namespace {
-
-constexpr Endian native_endian =
-    std::endian::native == std::endian::big ? Endian::big : Endian::little;
-
-template <class T>
-void swap_bytes(std::span<T> values) {
-  if constexpr (sizeof(T) > 1) {
-    for (T& value : values) {
-      const auto bytes = std::as_writable_bytes(std::span<T, 1>(&value, 1));
-      std::reverse(bytes.begin(), bytes.end());
-    }
-  }
-}
 
 RawLayout layout_for(const std::filesystem::path& path, const RawOptions& options) {
   const std::optional<RawLayout> named = layout_from_name(path);
@@ -54,16 +39,9 @@ void check_spacing(const std::filesystem::path& path, const Vec3& spacing) {
   }
 }
 
-std::uint64_t file_size_of(const std::filesystem::path& path) {
-  std::error_code error;
-  const std::uint64_t size = std::filesystem::file_size(path, error);
-  if (error) throw InvalidInput(path.string() + ": cannot be read: " + error.message());
-  return size;
-}
-
 void check_file_size(const std::filesystem::path& path, const RawLayout& layout, std::uint64_t skip,
                      std::uint64_t voxel_bytes) {
-  const std::uint64_t found = file_size_of(path);
+  const std::uint64_t found = stored_bytes(path);
   if (found >= skip && found - skip == voxel_bytes) return;
   const bool fits = skip <= std::numeric_limits<std::uint64_t>::max() - voxel_bytes;
   const std::string expected = fits ? std::to_string(skip + voxel_bytes) : "more";
@@ -72,42 +50,6 @@ void check_file_size(const std::filesystem::path& path, const RawLayout& layout,
                      dims_text(layout.dims) + " voxels of " + type_name(layout.type) + after +
                      " take " + expected +
                      "; check --dims, --type and --skip, or fetch the file again");
-}
-
-template <class T>
-VoxelArray read_values(std::istream& file, const std::filesystem::path& path, std::uint64_t count,
-                       Endian endian) {
-  std::vector<T> values(count);
-  const auto bytes = static_cast<std::streamsize>(count * sizeof(T));
-  if (!file.read(reinterpret_cast<char*>(values.data()), bytes)) {
-    throw InvalidInput(path.string() + ": reading stopped after " + std::to_string(file.gcount()) +
-                       " of " + std::to_string(bytes) + " voxel bytes; fetch the file again");
-  }
-  if (endian != native_endian) swap_bytes<T>(values);
-  return values;
-}
-
-VoxelArray read_values(std::istream& file, const std::filesystem::path& path,
-                       const RawLayout& layout, std::uint64_t count, Endian endian) {
-  switch (layout.type) {
-    case VoxelType::uint8:
-      return read_values<std::uint8_t>(file, path, count, endian);
-    case VoxelType::int8:
-      return read_values<std::int8_t>(file, path, count, endian);
-    case VoxelType::uint16:
-      return read_values<std::uint16_t>(file, path, count, endian);
-    case VoxelType::int16:
-      return read_values<std::int16_t>(file, path, count, endian);
-    case VoxelType::uint32:
-      return read_values<std::uint32_t>(file, path, count, endian);
-    case VoxelType::int32:
-      return read_values<std::int32_t>(file, path, count, endian);
-    case VoxelType::float32:
-      return read_values<float>(file, path, count, endian);
-    case VoxelType::float64:
-      return read_values<double>(file, path, count, endian);
-  }
-  throw InvalidArgument(path.string() + ": unknown voxel type");
 }
 
 }  // namespace
@@ -131,19 +73,16 @@ std::optional<RawLayout> layout_from_name(const std::filesystem::path& path) {
 }
 
 Volume read_raw(const std::filesystem::path& path, const RawOptions& options,
-                std::uint64_t max_bytes) {
+                const VoxelLimits& limits) {
   const RawLayout layout = layout_for(path, options);
   check_spacing(path, options.spacing);
-  const std::uint64_t voxel_size = bytes_per_voxel(layout.type);
-  const std::uint64_t bytes = checked_voxel_bytes(layout.dims, voxel_size, path.string());
-  check_file_size(path, layout, options.skip, bytes);
-  check_voxel_memory(layout.dims, voxel_size, max_bytes, path.string());
-  std::ifstream file(path, std::ios::binary);
-  if (!file.seekg(static_cast<std::streamoff>(options.skip))) {
-    throw InvalidInput(path.string() + ": cannot be opened; check that you may read it");
-  }
+  check_file_size(path, layout, options.skip,
+                  checked_voxel_bytes(layout.dims, bytes_per_voxel(layout.type), path.string()));
   Volume volume;
-  volume.values = read_values(file, path, layout, bytes / voxel_size, options.endian);
+  ByteStream stream(path, Packing::plain, options.skip);
+  const VoxelLayout voxels{
+      .dims = layout.dims, .type = static_cast<StoredType>(layout.type), .endian = options.endian};
+  volume.values = read_voxels(stream, voxels, 0, limits, path.string());
   volume.dims = layout.dims;
   volume.spacing = options.spacing;
   return volume;

@@ -6,11 +6,11 @@
 #include <iosfwd>
 #include <optional>
 
+#include "volume/byte_order.h"
+#include "volume/memory_limit.h"
 #include "volume/volume.h"
 
 namespace isoloop {
-
-enum class Endian { little, big };
 
 struct RawOptions {
   std::optional<Index3> dims{};     // voxels along each axis; unset: as the file's name states
@@ -32,11 +32,10 @@ std::optional<RawLayout> layout_from_name(const std::filesystem::path& path);
 /// Reads a file of exactly options.skip + voxels * bytes per voxel bytes, first axis fastest. The
 /// volume's frame is `index`. Explicit options win over the name.
 /// Throws InvalidArgument (layout unknown, dimensions below 1, spacing not positive),
-/// LimitExceeded (voxels take more than max_bytes; 0: default_voxel_limit()), and InvalidInput (a
-/// file that is shorter or longer, or cannot be read). Sizes are checked before memory is asked
-/// for. NaN passes.
+/// LimitExceeded (more voxels than the limits allow), and InvalidInput (a file that is shorter or
+/// longer, or cannot be read). Sizes are checked before memory is asked for. NaN passes.
 Volume read_raw(const std::filesystem::path& path, const RawOptions& options,
-                std::uint64_t max_bytes = 0);
+                const VoxelLimits& limits = {});
 
 /// Writes the voxels, first axis fastest, little-endian. A failure shows in the stream's state.
 void write_raw(std::ostream& out, const Volume& volume);

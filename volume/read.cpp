@@ -6,8 +6,12 @@
 #include <type_traits>
 
 #include "core/errors.h"
+#include "volume/byte_stream.h"
 #include "volume/file_kind.h"
 #include "volume/mesh.h"
+#include "volume/meta_image.h"
+#include "volume/nifti.h"
+#include "volume/nrrd.h"
 #include "volume/vdb.h"
 
 namespace isoloop {
@@ -52,8 +56,19 @@ Volume read_by_kind(const std::filesystem::path& path, const ReadOptions& option
     throw InvalidInput(path.string() + ": unknown kind of file; isoloop reads " +
                        supported_extensions() + ", and meshes: .stl, .ply, .obj and .off");
   }
-  return *kind == FileKind::raw ? read_raw(path, options.raw, options.max_bytes)
-                                : read_vdb(path, options.grid, options.max_bytes, options.margin);
+  switch (*kind) {
+    case FileKind::raw:
+      return read_raw(path, options.raw, limits);
+    case FileKind::vdb:
+      return read_vdb(path, options.grid, options.max_bytes, options.margin);
+    case FileKind::nifti:
+      return read_nifti(path, options.format, limits);
+    case FileKind::nrrd:
+      return read_nrrd(path, options.format, limits);
+    case FileKind::meta_image:
+      return read_meta_image(path, options.format, limits);
+  }
+  throw InvalidInput(path.string() + ": unknown kind of file");
 }
 
 template <class T>
@@ -96,6 +111,7 @@ Volume read_volume(const std::filesystem::path& path, const ReadOptions& options
         }
       },
       volume.values);
+  if (options.world) turn_frame(volume, *options.world, path.string());
   return volume;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "volume/placement.h"
 #include "volume/raw.h"
 #include "volume/vdb.h"
 #include "volume/volume.h"
@@ -17,6 +18,8 @@ struct ReadOptions {
   RawOptions raw{};    // for .raw files
   std::string grid{};  // grid of a .vdb file, see read_vdb; empty: the only scalar one
   VdbMargin margin = VdbMargin::background;  // of a .vdb file
+  FormatOptions format{};                    // for files of any other kind
+  std::optional<Frame> world{};  // lps or ras: coordinates are turned to it; unset: the file's own
   std::optional<double> nan_as{};  // takes the place of NaN, in voxel values; unset: NaN is refused
   std::uint64_t max_bytes = 0;     // most bytes of voxels; 0: 80 % of the available memory
   std::uint64_t max_voxels = 0;    // most voxels; 0: no bound of its own

@@ -10,17 +10,14 @@ namespace isoloop {
 
 void write_volume(const Volume& volume, const std::filesystem::path& path) {
   const std::optional<FileKind> kind = file_kind(path);
-  if (!kind) {
-    throw InvalidArgument(path.string() + ": volumes are written as " + supported_extensions());
+  if (!kind || !is_written(*kind)) {
+    throw InvalidArgument(path.string() + ": volumes are written as " + written_extensions());
   }
   AtomicFile file(path);
-  switch (*kind) {
-    case FileKind::raw:
-      write_raw(file.stream(), volume);
-      break;
-    case FileKind::vdb:
-      write_vdb(file.stream(), volume, path.string());
-      break;
+  if (*kind == FileKind::raw) {
+    write_raw(file.stream(), volume);
+  } else {
+    write_vdb(file.stream(), volume, path.string());
   }
   file.commit();
 }

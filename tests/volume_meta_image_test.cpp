@@ -1,0 +1,182 @@
+#include <gtest/gtest.h>
+
+#include "core/errors.h"
+#include "tests/damaged_files.h"
+#include "tests/volume_test_files.h"
+#include "volume/meta_image.h"
+#include "volume/nifti.h"
+#include "volume/nrrd.h"
+#include "volume/raw.h"
+
+namespace isoloop {
+namespace {
+
+using test::contains;
+using test::message_of;
+using test::TempFolder;
+using test::write_bytes;
+
+std::string voxels(Endian endian) {
+  std::string bytes;
+  for (std::int16_t i = 0; i < 12; ++i) bytes += test::number_bytes(i, endian);
+  return bytes;
+}
+
+std::string header(const std::string& lines, const std::string& data = "LOCAL") {
+  return "ObjectType = Image\nNDims = 3\nBinaryData = True\nDimSize = 3 2 2\n"
+         "ElementType = MET_SHORT\n" +
+         lines + "ElementDataFile = " + data + "\n";
+}
+
+class MetaImage : public testing::Test {
+ protected:
+  Volume read(const std::string& bytes, const FormatOptions& options = {},
+              const VoxelLimits& limits = {}) const {
+    write_bytes(folder_ / "a.mha", bytes);
+    return read_meta_image(folder_ / "a.mha", options, limits);
+  }
+  Volume with(const std::string& lines, const FormatOptions& options = {}) const {
+    return read(header(lines) + voxels(Endian::little), options);
+  }
+  std::string refusal(const std::string& lines) const {
+    return message_of<InvalidInput>([&] { with(lines); });
+  }
+  std::string compressed(std::string packed, const std::string& lines = "") const {
+    return header("CompressedData = True\nCompressedDataSize = " + std::to_string(packed.size()) +
+                  "\n" + lines) +
+           packed;
+  }
+  TempFolder folder_;
+};
+
+TEST_F(MetaImage, EveryEncodingAndByteOrderHoldsTheSameVoxels) {
+  const VoxelArray expected = with("").values;
+  EXPECT_EQ(std::get<std::vector<std::int16_t>>(expected)[11], 11);
+  const std::string big = "BinaryDataByteOrderMSB = True\n";
+  for (const std::string& file :
+       {header(big) + voxels(Endian::big), compressed(test::zlib_bytes(voxels(Endian::little))),
+        compressed(test::gzip_bytes(voxels(Endian::little))),
+        compressed(test::zlib_bytes(voxels(Endian::big)), "ElementByteOrderMSB = True\n")}) {
+    EXPECT_EQ(read(file).values, expected);
+  }
+}
+
+TEST_F(MetaImage, ADetachedHeaderNamesItsDataFile) {
+  const auto path = folder_ / "a.mhd";
+  write_bytes(path, header("", "a b.raw"));
+  write_bytes(folder_ / "a b.raw", voxels(Endian::little));
+  EXPECT_EQ(read_meta_image(path).dims, (Index3{3, 2, 2}));
+  write_bytes(folder_ / "a b.raw", "xyz" + voxels(Endian::little));
+  EXPECT_THROW(read_meta_image(path), InvalidInput);
+  for (const char* size : {"3", "-1"}) {
+    write_bytes(path, header(std::string("HeaderSize = ") + size + "\n", "a b.raw"));
+    EXPECT_EQ(read_meta_image(path).dims, (Index3{3, 2, 2})) << size;
+  }
+  for (const char* list : {"LIST", "a%03d.raw 1 3 1"}) {
+    write_bytes(path, header("", list));
+    EXPECT_TRUE(contains(message_of<InvalidInput>([&] { read_meta_image(path); }), "several"));
+  }
+}
+
+TEST_F(MetaImage, NoFileCutShortIsRead) {
+  const auto path = folder_ / "cut.mha";
+  for (const std::string& whole :
+       {header("") + voxels(Endian::little), compressed(test::zlib_bytes(voxels(Endian::little))),
+        header("CompressedData = True\n") + test::zlib_bytes(voxels(Endian::little))}) {
+    test::expect_no_beginning_is_read(path, whole, [&] { read_meta_image(path); });
+  }
+  const auto detached = folder_ / "cut.mhd";
+  write_bytes(folder_ / "cut.raw", voxels(Endian::little));
+  test::expect_no_beginning_is_read(detached, header("", "cut.raw"),
+                                    [&] { read_meta_image(detached); });
+  test::expect_no_beginning_is_read(folder_ / "cut.raw", voxels(Endian::little),
+                                    [&] { read_meta_image(detached); });
+}
+
+TEST_F(MetaImage, StatedAndPresentCompressedBytesMustAgree) {
+  const std::string packed = test::zlib_bytes(voxels(Endian::little));
+  EXPECT_THROW(read(header("CompressedData = True\nCompressedDataSize = 5\n") + packed),
+               InvalidInput);
+  EXPECT_THROW(read(header("CompressedData = True\n") + packed + "x"), InvalidInput);
+}
+
+TEST_F(MetaImage, KeepsSpacingOriginAndDirection) {
+  const Volume volume = with(
+      "TransformMatrix = 0 1 0 -1 0 0 0 0 1\nOffset = 5 6 7\nElementSpacing = 1 2 3\n"
+      "ElementSize = 9 9 9\nAnatomicalOrientation = RAI\n");
+  EXPECT_EQ(volume.frame, Frame::lps);
+  EXPECT_EQ(volume.spacing, (Vec3{1, 2, 3}));
+  EXPECT_EQ(volume.origin, (Vec3{5, 6, 7}));
+  EXPECT_EQ(volume.direction[0], (Vec3{0, 1, 0}));
+  EXPECT_EQ(volume.direction[1], (Vec3{-1, 0, 0}));
+}
+
+TEST_F(MetaImage, PlacesThatMakeNoSenseAreRefused) {
+  EXPECT_TRUE(contains(refusal("ElementSpacing = 1 -2 3\n"), "length of 2"));
+  EXPECT_TRUE(contains(refusal("ElementSpacing = 1 0 3\n"), "spacing 0"));
+  EXPECT_TRUE(contains(refusal("ElementSpacing = 1 nan 3\n"), "nan"));
+  EXPECT_TRUE(contains(refusal("TransformMatrix = 1 1 0 0 1 0 0 0 1\n"), "degrees"));
+  EXPECT_THROW(with("TransformMatrix = 1 0 0 1\n"), InvalidInput);
+  EXPECT_THROW(with("Offset = 1 2 inf\n"), InvalidInput);
+  EXPECT_NO_THROW(with("ElementSpacing = 1 -2 3\n", {.spacing = Vec3{1, 1, 1}}));
+}
+
+TEST_F(MetaImage, SlopeAndOffsetApply) {
+  const Volume volume =
+      with("ElementToIntensityFunctionSlope = 2\nElementToIntensityFunctionOffset = -3\n");
+  EXPECT_EQ(std::get<std::vector<std::int16_t>>(volume.values)[11], 19);
+}
+
+TEST_F(MetaImage, WhatIsNoVolumeIsRefusedByName) {
+  EXPECT_TRUE(contains(refusal("ElementNumberOfChannels = 3\n"), "3 numbers per voxel"));
+  EXPECT_TRUE(contains(refusal("NDims = 3\n"), "twice"));
+  EXPECT_THROW(with("no equals sign\n"), InvalidInput);
+  EXPECT_TRUE(contains(message_of<InvalidInput>([&] {
+                         read(
+                             "NDims = 3\nDimSize = 1 1 1\nElementType = MET_UCHAR\n"
+                             "BinaryData = False\nElementDataFile = LOCAL\n1\n");
+                       }),
+                       "as text"));
+  EXPECT_THROW(read("ObjectType = Mesh\nElementDataFile = LOCAL\n"), InvalidInput);
+  EXPECT_THROW(read("NDims = 9\nElementDataFile = LOCAL\n"), InvalidInput);
+}
+
+TEST_F(MetaImage, ABombIsRefusedBeforeMemoryIsAskedFor) {
+  const std::string file =
+      "NDims = 3\nBinaryData = True\nCompressedData = True\nDimSize = 99999 99999 99999\n"
+      "ElementType = MET_DOUBLE\nElementDataFile = LOCAL\n" +
+      test::zlib_bytes("tiny");
+  EXPECT_TRUE(contains(message_of<LimitExceeded>([&] { read(file); }), "--max-memory"));
+  EXPECT_THROW(read(file, {}, {.max_bytes = ~std::uint64_t{0}}), InvalidInput);
+}
+
+TEST(MetaImageData, EveryFileOfTheDataFolderIsRead) {
+  ISOLOOP_NEEDS("formats/silicium.mha");
+  EXPECT_EQ(read_meta_image(test::data("formats/silicium.mha")).dims, (Index3{104, 40, 40}));
+  const Volume atom = read_meta_image(test::data("formats/hydrogenAtom.mha"));
+  ISOLOOP_NEEDS("volumes/hydrogen_128x128x128_uint8.raw");
+  EXPECT_EQ(atom.values, read_raw(test::data("volumes/hydrogen_128x128x128_uint8.raw"), {}).values);
+}
+
+TEST(MetaImageData, OneImageInThreeFormatsIsTheSame) {
+  ISOLOOP_NEEDS("formats/ormir_test_mha.mha");
+  const auto numbers = [](const Volume& volume) {
+    return std::visit(
+        [](const auto& values) { return std::vector<double>(values.begin(), values.end()); },
+        volume.values);
+  };
+  const Volume mha = read_meta_image(test::data("formats/ormir_test_mha.mha"));
+  Volume nifti = read_nifti(test::data("formats/ormir_test_nii.nii"));
+  const Volume nrrd = read_nrrd(test::data("formats/ormir_test_nrrd.nrrd"));
+  EXPECT_EQ(numbers(mha), numbers(nifti));
+  EXPECT_EQ(numbers(mha), numbers(nrrd));
+  turn_frame(nifti, Frame::lps, "ormir");
+  for (const Volume* other : std::array<const Volume*, 2>{&nifti, &nrrd}) {
+    EXPECT_EQ(other->frame, mha.frame);
+    EXPECT_EQ(other->spacing, mha.spacing);
+    EXPECT_LT(distance(to_world(*other, {24, 24, 24}), to_world(mha, {24, 24, 24})), 1e-6);
+  }
+}
+
+}  // namespace
+}  // namespace isoloop

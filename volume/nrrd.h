@@ -1,0 +1,22 @@
+// NRRD (teem.sourceforge.net/nrrd/format.html): a text header, then voxels, or a file of them.
+#pragma once
+
+#include <filesystem>
+
+#include "volume/memory_limit.h"
+#include "volume/placement.h"
+#include "volume/volume.h"
+
+namespace isoloop {
+
+/// Reads a .nrrd file, or a .nhdr file and the data file that it names; encodings raw and gzip. A
+/// fourth axis counts frames. The frame is `lps` or `ras` as `space` says (LAS is turned to `ras`),
+/// `world` for other spaces, and `index` without one.
+/// Throws InvalidArgument (several frames, and options.frame does not choose), LimitExceeded, and
+/// InvalidInput: bytes that are missing, damaged or too many, a header that makes no sense, axes of
+/// colours, vectors or complex numbers, other encodings, data in several files, a placement that
+/// place() refuses.
+Volume read_nrrd(const std::filesystem::path& path, const FormatOptions& options = {},
+                 const VoxelLimits& limits = {});
+
+}  // namespace isoloop

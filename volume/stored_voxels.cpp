@@ -1,0 +1,217 @@
+#include "volume/stored_voxels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "core/errors.h"
+
+namespace isoloop {
+namespace {
+
+bool is_identity(const VoxelLayout& layout) {
+  return layout.slope == 1.0 && layout.intercept == 0.0;
+}
+
+std::uint64_t frame_voxels(const VoxelLayout& layout) {
+  return static_cast<std::uint64_t>(layout.dims[0] * layout.dims[1] * layout.dims[2]);
+}
+
+template <class T>
+std::vector<T> read_values(ByteStream& stream, std::uint64_t count, Endian endian,
+                           const std::string& what) {
+  std::vector<T> values(count);
+  stream.read(std::as_writable_bytes(std::span(values)), what);
+  if (endian != native_endian) swap_bytes(std::span(values));
+  return values;
+}
+
+// In pieces, so that the wide integers never take memory all at once.
+template <class Wide, class Narrow>
+std::vector<Narrow> read_wide(ByteStream& stream, std::uint64_t count, Endian endian,
+                              const std::string& what) {
+  constexpr std::uint64_t piece = 8192;
+  std::vector<Narrow> values(count);
+  for (std::uint64_t done = 0; done < count;) {
+    const std::uint64_t now = std::min(piece, count - done);
+    for (const Wide value : read_values<Wide>(stream, now, endian, what)) {
+      if (value < std::numeric_limits<Narrow>::min() ||
+          value > std::numeric_limits<Narrow>::max()) {
+        throw InvalidInput(what + ": a voxel is " + std::to_string(value) +
+                           ", and integers of 64 bits are read only if they fit 32; convert the "
+                           "volume to a smaller type");
+      }
+      values[done++] = static_cast<Narrow>(value);
+    }
+  }
+  return values;
+}
+
+VoxelArray read_frame(ByteStream& stream, const VoxelLayout& layout, const std::string& what) {
+  const std::uint64_t count = frame_voxels(layout);
+  const Endian endian = layout.endian;
+  switch (layout.type) {
+    case StoredType::uint8:
+      return read_values<std::uint8_t>(stream, count, endian, what);
+    case StoredType::int8:
+      return read_values<std::int8_t>(stream, count, endian, what);
+    case StoredType::uint16:
+      return read_values<std::uint16_t>(stream, count, endian, what);
+    case StoredType::int16:
+      return read_values<std::int16_t>(stream, count, endian, what);
+    case StoredType::uint32:
+      return read_values<std::uint32_t>(stream, count, endian, what);
+    case StoredType::int32:
+      return read_values<std::int32_t>(stream, count, endian, what);
+    case StoredType::float32:
+      return read_values<float>(stream, count, endian, what);
+    case StoredType::float64:
+      return read_values<double>(stream, count, endian, what);
+    case StoredType::int64:
+      return read_wide<std::int64_t, std::int32_t>(stream, count, endian, what);
+    case StoredType::uint64:
+      return read_wide<std::uint64_t, std::uint32_t>(stream, count, endian, what);
+  }
+  throw InvalidInput(what + ": unknown voxel type");
+}
+
+template <class To, class From>
+std::vector<To> scaled_values(const std::vector<From>& values, double slope, double intercept) {
+  std::vector<To> scaled(values.size());
+  std::transform(values.begin(), values.end(), scaled.begin(), [&](From value) {
+    return static_cast<To>(slope * static_cast<double>(value) + intercept);
+  });
+  return scaled;
+}
+
+// The smallest type for whole numbers between both ends; floating point where none holds them.
+template <class From>
+VoxelArray scaled_integers(const std::vector<From>& values, double slope, double intercept) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  double least = values.empty() ? 0.0 : slope * static_cast<double>(*low) + intercept;
+  double most = values.empty() ? 0.0 : slope * static_cast<double>(*high) + intercept;
+  if (least > most) std::swap(least, most);
+  const auto fits = [&]<class To>(To) {
+    return least >= static_cast<double>(std::numeric_limits<To>::min()) &&
+           most <= static_cast<double>(std::numeric_limits<To>::max());
+  };
+  if (fits(std::int16_t{})) return scaled_values<std::int16_t>(values, slope, intercept);
+  if (fits(std::int32_t{})) return scaled_values<std::int32_t>(values, slope, intercept);
+  if (fits(std::uint32_t{})) return scaled_values<std::uint32_t>(values, slope, intercept);
+  return scaled_values<double>(values, slope, intercept);
+}
+
+}  // namespace
+
+std::uint64_t bytes_per_voxel(StoredType type) {
+  if (type == StoredType::int64 || type == StoredType::uint64) return 8;
+  return bytes_per_voxel(static_cast<VoxelType>(type));
+}
+
+std::optional<StoredType> integer_type(std::uint64_t bytes, bool is_signed) {
+  switch (bytes) {
+    case 1:
+      return is_signed ? StoredType::int8 : StoredType::uint8;
+    case 2:
+      return is_signed ? StoredType::int16 : StoredType::uint16;
+    case 4:
+      return is_signed ? StoredType::int32 : StoredType::uint32;
+    case 8:
+      return is_signed ? StoredType::int64 : StoredType::uint64;
+    default:
+      return std::nullopt;
+  }
+}
+
+std::optional<StoredType> float_type(std::uint64_t bytes) {
+  if (bytes == 4) return StoredType::float32;
+  if (bytes == 8) return StoredType::float64;
+  return std::nullopt;
+}
+
+void check_layout(const VoxelLayout& layout, const VoxelLimits& limits, const std::string& what) {
+  if (*std::min_element(layout.dims.begin(), layout.dims.end()) < 1 || layout.frames < 1) {
+    throw InvalidInput(what + ": its header states the dimensions " + dims_text(layout.dims) +
+                       ", which make no volume");
+  }
+  const bool wide = layout.type == StoredType::int64 || layout.type == StoredType::uint64;
+  const std::uint64_t stored = wide ? 4 : bytes_per_voxel(layout.type);
+  // While it is scaled, the volume is there in both types.
+  const std::uint64_t scaled = stored < 4 || layout.type == StoredType::float32 ? 4 : 8;
+  check_voxel_memory(layout.dims, is_identity(layout) ? stored : stored + scaled, limits, what);
+  const std::uint64_t bytes = checked_voxel_bytes(layout.dims, bytes_per_voxel(layout.type), what);
+  if (layout.frames > std::numeric_limits<std::int64_t>::max() / bytes) {
+    throw InvalidInput(what + ": its header states " + std::to_string(layout.frames) +
+                       " frames, more than can be counted");
+  }
+}
+
+std::uint64_t choose_frame(const VoxelLayout& layout, const std::optional<std::int64_t>& frame,
+                           const std::string& what) {
+  const std::string last = std::to_string(layout.frames - 1);
+  if (!frame) {
+    if (layout.frames == 1) return 0;
+    throw InvalidArgument(what + ": holds " + std::to_string(layout.frames) +
+                          " frames (4-D); choose one with --frame 0 to " + last);
+  }
+  if (*frame < 0 || static_cast<std::uint64_t>(*frame) >= layout.frames) {
+    throw InvalidArgument(what + ": has no frame " + std::to_string(*frame) +
+                          "; --frame counts from 0 to " + last);
+  }
+  return static_cast<std::uint64_t>(*frame);
+}
+
+VoxelArray read_voxels(ByteStream& stream, const VoxelLayout& layout, std::uint64_t frame,
+                       const VoxelLimits& limits, const std::string& what) {
+  check_layout(layout, limits, what);
+  const std::uint64_t bytes = frame_voxels(layout) * bytes_per_voxel(layout.type);
+  const std::string voxels = "its " + dims_text(layout.dims) +
+                             (layout.frames > 1 ? " x " + std::to_string(layout.frames) : "") +
+                             " voxels";
+  stream.check_room(bytes * layout.frames, voxels);
+  stream.skip(bytes * frame, voxels);
+  VoxelArray values = read_frame(stream, layout, voxels);
+  stream.skip(bytes * (layout.frames - frame - 1), voxels);
+  stream.expect_end(voxels);
+  if (is_identity(layout)) return values;
+  return rescaled(std::move(values), layout.slope, layout.intercept, what);
+}
+
+void add_scale_note(const VoxelLayout& layout, Volume& volume) {
+  if (is_identity(layout)) return;
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), "values are %.9g x stored + %.9g", layout.slope,
+                layout.intercept);
+  volume.notes.emplace_back(text.data());
+}
+
+VoxelArray rescaled(VoxelArray values, double slope, double intercept, const std::string& what) {
+  if (!std::isfinite(slope) || !std::isfinite(intercept) || slope == 0.0) {
+    throw InvalidInput(what + ": its header scales voxels by slope " + std::to_string(slope) +
+                       " and intercept " + std::to_string(intercept) +
+                       ", which leaves no values; correct the header");
+  }
+  if (slope == 1.0 && intercept == 0.0) return values;
+  const bool whole = slope == std::trunc(slope) && intercept == std::trunc(intercept) &&
+                     std::abs(slope) <= 65536.0 && std::abs(intercept) <= 1e9;
+  return std::visit(
+      [&]<class T>(const std::vector<T>& stored) -> VoxelArray {
+        if constexpr (std::is_integral_v<T>) {
+          if (whole) return scaled_integers(stored, slope, intercept);
+        }
+        if constexpr (sizeof(T) == 8 || (std::is_integral_v<T> && sizeof(T) == 4)) {
+          return scaled_values<double>(stored, slope, intercept);
+        } else {
+          return scaled_values<float>(stored, slope, intercept);
+        }
+      },
+      values);
+}
+
+}  // namespace isoloop
