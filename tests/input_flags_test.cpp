@@ -97,6 +97,7 @@ TEST(ReadOptionsOfFlags, CarriesEveryFlag) {
                                             .spacing = "2",
                                             .grid = "density",
                                             .frame = 3,
+                                            .series = "1.2.3",
                                             .affine = "qform",
                                             .world = "lps",
                                             .nan_as = -1.0,
@@ -111,6 +112,7 @@ TEST(ReadOptionsOfFlags, CarriesEveryFlag) {
   EXPECT_EQ(options.nan_as, -1.0);
   EXPECT_EQ(options.format.spacing, (Vec3{2, 2, 2}));
   EXPECT_EQ(options.format.frame, 3);
+  EXPECT_EQ(options.format.series, "1.2.3");
   EXPECT_EQ(options.format.transform, NiftiTransform::qform);
   EXPECT_EQ(options.world, Frame::lps);
   EXPECT_EQ(options.max_bytes, 1024U);

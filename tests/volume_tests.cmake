@@ -3,6 +3,7 @@ isoloop_add_tests(isoloop_volume_tests
     volume_atomic_file_test.cpp
     volume_child_process_test.cpp
     volume_curve_distance_test.cpp
+    volume_dicom_test.cpp
     volume_engine_block_test.cpp
     volume_file_kind_test.cpp
     volume_memory_limit_test.cpp
@@ -14,12 +15,13 @@ isoloop_add_tests(isoloop_volume_tests
     volume_read_test.cpp
     volume_shape_field_test.cpp
     volume_shapes_test.cpp
+    volume_tiff_test.cpp
     volume_vdb_message_test.cpp
     volume_vdb_test.cpp
     volume_volume_test.cpp
     volume_voxelize_test.cpp
     volume_write_test.cpp
-  LIBRARIES isoloop::volume isoloop_vdb_decode OpenVDB::openvdb TBB::tbb ZLIB::ZLIB)
+  LIBRARIES isoloop::volume isoloop_vdb_decode OpenVDB::openvdb TBB::tbb TIFF::TIFF ZLIB::ZLIB)
 
 add_executable(isoloop_child_for_tests child_for_tests.cpp)
 target_link_libraries(isoloop_child_for_tests PRIVATE isoloop::volume isoloop_options)

@@ -64,7 +64,8 @@ std::size_t numbers_after(std::string_view flag) {
 void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
   command
       .add_option("FILE", flags.file,
-                  "volume to read: " + supported_extensions() + "; or mesh: .stl .ply .obj .off")
+                  "volume to read: " + supported_extensions() +
+                      ", or a folder of slices; or mesh: .stl .ply .obj .off")
       ->required()
       ->type_name("");
   command.add_option("--dims", flags.dims, "voxels along x, y and z of a raw file")
@@ -88,6 +89,11 @@ void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
   command.add_option("--grid", flags.grid, "name of the grid in a .vdb file")->type_name("NAME");
   command.add_option("--frame", flags.frame, "which volume of a 4-D file, counted from 0")
       ->type_name("N");
+  command
+      .add_option("--series", flags.series,
+                  "which series of a folder of DICOM slices: part of its identifier, number or "
+                  "description")
+      ->type_name("TEXT");
   command
       .add_option("--affine", flags.affine,
                   "which of a NIfTI file's maps to the world to use (default sform, then qform)")
@@ -167,6 +173,7 @@ ReadOptions read_options(const VolumeFlags& flags) {
     options.raw.spacing = *options.format.spacing;
   }
   options.format.frame = flags.frame;
+  options.format.series = flags.series;
   if (flags.affine == "sform") options.format.transform = NiftiTransform::sform;
   if (flags.affine == "qform") options.format.transform = NiftiTransform::qform;
   if (flags.world == "ras") options.world = Frame::ras;

@@ -24,6 +24,7 @@ struct VolumeFlags {
   std::string spacing;     // one length per voxel, or one for each axis; empty: the file's
   std::string grid;        // name of the grid in a .vdb file; empty: the only one
   std::optional<std::int64_t> frame;  // of a 4-D file, from 0
+  std::string series;                 // of DICOM slices: part of its identifier or description
   std::string affine;                 // "sform", "qform" or empty: as NIfTI's standard says
   std::string world;                  // "ras", "lps" or empty: the file's frame
   std::optional<double> nan_as;       // the value that takes the place of NaN

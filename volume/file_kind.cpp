@@ -13,15 +13,18 @@ struct Extension {
 };
 
 // In the order in which messages list them.
-constexpr std::array<Extension, 9> extensions{{{".raw", FileKind::raw},
-                                               {".vdb", FileKind::vdb},
-                                               {".nii", FileKind::nifti},
-                                               {".hdr", FileKind::nifti},
-                                               {".img", FileKind::nifti},
-                                               {".nrrd", FileKind::nrrd},
-                                               {".nhdr", FileKind::nrrd},
-                                               {".mha", FileKind::meta_image},
-                                               {".mhd", FileKind::meta_image}}};
+constexpr std::array<Extension, 12> extensions{{{".raw", FileKind::raw},
+                                                {".vdb", FileKind::vdb},
+                                                {".nii", FileKind::nifti},
+                                                {".hdr", FileKind::nifti},
+                                                {".img", FileKind::nifti},
+                                                {".nrrd", FileKind::nrrd},
+                                                {".nhdr", FileKind::nrrd},
+                                                {".mha", FileKind::meta_image},
+                                                {".mhd", FileKind::meta_image},
+                                                {".dcm", FileKind::dicom},
+                                                {".tif", FileKind::tiff},
+                                                {".tiff", FileKind::tiff}}};
 
 }  // namespace
 

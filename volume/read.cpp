@@ -7,34 +7,28 @@
 
 #include "core/errors.h"
 #include "volume/byte_stream.h"
+#include "volume/dicom.h"
 #include "volume/file_kind.h"
 #include "volume/mesh.h"
 #include "volume/meta_image.h"
 #include "volume/nifti.h"
 #include "volume/nrrd.h"
+#include "volume/tiff.h"
 #include "volume/vdb.h"
 
 namespace isoloop {
 namespace {
 
-void check_is_file(const std::filesystem::path& path) {
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (status.type() == std::filesystem::file_type::not_found) {
-    throw InvalidInput(path.string() + ": no such file; check the path");
-  }
-  if (error) throw InvalidInput(path.string() + ": cannot be read: " + error.message());
-  if (std::filesystem::is_directory(status)) {
-    throw InvalidInput(path.string() + ": is a folder; give a " + supported_extensions() + " file");
-  }
-  if (!std::filesystem::is_regular_file(status)) {
-    throw InvalidInput(path.string() + ": is not a regular file; copy its content to one");
-  }
-}
-
 bool is_step(const std::filesystem::path& path) {
   const std::string extension = path.extension().string();
   return extension == ".step" || extension == ".stp" || extension == ".STEP" || extension == ".STP";
+}
+
+Volume read_folder(const std::filesystem::path& path, const ReadOptions& options) {
+  const VoxelLimits limits{options.max_bytes, options.max_voxels};
+  if (holds_dicom(path)) return read_dicom(path, options.format, limits);
+  throw InvalidInput(path.string() +
+                     ": is a folder without DICOM slices; give a file: " + supported_extensions());
 }
 
 Volume read_by_kind(const std::filesystem::path& path, const ReadOptions& options) {
@@ -67,6 +61,10 @@ Volume read_by_kind(const std::filesystem::path& path, const ReadOptions& option
       return read_nrrd(path, options.format, limits);
     case FileKind::meta_image:
       return read_meta_image(path, options.format, limits);
+    case FileKind::dicom:
+      return read_dicom(path, options.format, limits);
+    case FileKind::tiff:
+      return read_tiff(path, options.format, limits);
   }
   throw InvalidInput(path.string() + ": unknown kind of file");
 }
@@ -98,8 +96,9 @@ void refuse_nan(const std::vector<T>& values, const Index3& dims, const std::str
 }  // namespace
 
 Volume read_volume(const std::filesystem::path& path, const ReadOptions& options) {
-  check_is_file(path);
-  Volume volume = read_by_kind(path, options);
+  const bool folder = std::filesystem::is_directory(path);
+  if (!folder) check_is_file(path);
+  Volume volume = folder ? read_folder(path, options) : read_by_kind(path, options);
   std::visit(
       [&]<class T>(std::vector<T>& values) {
         if constexpr (std::is_floating_point_v<T>) {

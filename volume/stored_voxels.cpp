@@ -53,34 +53,6 @@ std::vector<Narrow> read_wide(ByteStream& stream, std::uint64_t count, Endian en
   return values;
 }
 
-VoxelArray read_frame(ByteStream& stream, const VoxelLayout& layout, const std::string& what) {
-  const std::uint64_t count = frame_voxels(layout);
-  const Endian endian = layout.endian;
-  switch (layout.type) {
-    case StoredType::uint8:
-      return read_values<std::uint8_t>(stream, count, endian, what);
-    case StoredType::int8:
-      return read_values<std::int8_t>(stream, count, endian, what);
-    case StoredType::uint16:
-      return read_values<std::uint16_t>(stream, count, endian, what);
-    case StoredType::int16:
-      return read_values<std::int16_t>(stream, count, endian, what);
-    case StoredType::uint32:
-      return read_values<std::uint32_t>(stream, count, endian, what);
-    case StoredType::int32:
-      return read_values<std::int32_t>(stream, count, endian, what);
-    case StoredType::float32:
-      return read_values<float>(stream, count, endian, what);
-    case StoredType::float64:
-      return read_values<double>(stream, count, endian, what);
-    case StoredType::int64:
-      return read_wide<std::int64_t, std::int32_t>(stream, count, endian, what);
-    case StoredType::uint64:
-      return read_wide<std::uint64_t, std::uint32_t>(stream, count, endian, what);
-  }
-  throw InvalidInput(what + ": unknown voxel type");
-}
-
 template <class To, class From>
 std::vector<To> scaled_values(const std::vector<From>& values, double slope, double intercept) {
   std::vector<To> scaled(values.size());
@@ -167,6 +139,34 @@ std::uint64_t choose_frame(const VoxelLayout& layout, const std::optional<std::i
   return static_cast<std::uint64_t>(*frame);
 }
 
+VoxelArray read_stored(ByteStream& stream, const VoxelLayout& layout, const std::string& what) {
+  const std::uint64_t count = frame_voxels(layout);
+  const Endian endian = layout.endian;
+  switch (layout.type) {
+    case StoredType::uint8:
+      return read_values<std::uint8_t>(stream, count, endian, what);
+    case StoredType::int8:
+      return read_values<std::int8_t>(stream, count, endian, what);
+    case StoredType::uint16:
+      return read_values<std::uint16_t>(stream, count, endian, what);
+    case StoredType::int16:
+      return read_values<std::int16_t>(stream, count, endian, what);
+    case StoredType::uint32:
+      return read_values<std::uint32_t>(stream, count, endian, what);
+    case StoredType::int32:
+      return read_values<std::int32_t>(stream, count, endian, what);
+    case StoredType::float32:
+      return read_values<float>(stream, count, endian, what);
+    case StoredType::float64:
+      return read_values<double>(stream, count, endian, what);
+    case StoredType::int64:
+      return read_wide<std::int64_t, std::int32_t>(stream, count, endian, what);
+    case StoredType::uint64:
+      return read_wide<std::uint64_t, std::uint32_t>(stream, count, endian, what);
+  }
+  throw InvalidInput(what + ": unknown voxel type");
+}
+
 VoxelArray read_voxels(ByteStream& stream, const VoxelLayout& layout, std::uint64_t frame,
                        const VoxelLimits& limits, const std::string& what) {
   check_layout(layout, limits, what);
@@ -176,7 +176,7 @@ VoxelArray read_voxels(ByteStream& stream, const VoxelLayout& layout, std::uint6
                              " voxels";
   stream.check_room(bytes * layout.frames, voxels);
   stream.skip(bytes * frame, voxels);
-  VoxelArray values = read_frame(stream, layout, voxels);
+  VoxelArray values = read_stored(stream, layout, voxels);
   stream.skip(bytes * (layout.frames - frame - 1), voxels);
   stream.expect_end(voxels);
   if (is_identity(layout)) return values;

@@ -61,6 +61,10 @@ std::uint64_t choose_frame(const VoxelLayout& layout, const std::optional<std::i
 VoxelArray read_voxels(ByteStream& stream, const VoxelLayout& layout, std::uint64_t frame,
                        const VoxelLimits& limits, const std::string& what);
 
+/// The next frame's values as stored, unscaled, wherever the stream ends. The caller has checked
+/// the layout. Throws InvalidInput (bytes are missing or damaged).
+VoxelArray read_stored(ByteStream& stream, const VoxelLayout& layout, const std::string& what);
+
 /// Notes slope and intercept in the volume, unless they change nothing.
 void add_scale_note(const VoxelLayout& layout, Volume& volume);
 

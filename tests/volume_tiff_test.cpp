@@ -1,0 +1,211 @@
+#include <gtest/gtest.h>
+#include <tiffio.h>
+
+#include "core/errors.h"
+#include "tests/damaged_files.h"
+#include "tests/volume_test_files.h"
+#include "volume/tiff.h"
+
+namespace isoloop {
+namespace {
+
+using test::contains;
+using test::message_of;
+using test::put;
+using test::TempFolder;
+using test::write_bytes;
+
+// Pages of 5 x 4 pixels of 16 bits: 100 z + x + 5 y.
+struct Written {
+  const char* mode = "wl";  // "wb": big-endian, "w8": BigTIFF
+  std::uint16_t compression = COMPRESSION_NONE;
+  bool tiled = false;
+  int pages = 2;
+  std::uint32_t width = 5;
+  std::uint16_t samples = 1;
+  std::uint16_t format = SAMPLEFORMAT_UINT;
+  std::string description{};
+};
+
+void write_page(TIFF* file, const Written& written, int z) {
+  TIFFSetField(file, TIFFTAG_IMAGEWIDTH, written.width);
+  TIFFSetField(file, TIFFTAG_IMAGELENGTH, 4);
+  TIFFSetField(file, TIFFTAG_BITSPERSAMPLE, 16);
+  TIFFSetField(file, TIFFTAG_SAMPLESPERPIXEL, written.samples);
+  TIFFSetField(file, TIFFTAG_SAMPLEFORMAT, written.format);
+  TIFFSetField(file, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+  TIFFSetField(file, TIFFTAG_PHOTOMETRIC,
+               written.samples == 3 ? PHOTOMETRIC_RGB : PHOTOMETRIC_MINISBLACK);
+  TIFFSetField(file, TIFFTAG_COMPRESSION, written.compression);
+  if (!written.description.empty()) {
+    TIFFSetField(file, TIFFTAG_IMAGEDESCRIPTION, written.description.c_str());
+  }
+  if (written.tiled) {
+    TIFFSetField(file, TIFFTAG_TILEWIDTH, 16);
+    TIFFSetField(file, TIFFTAG_TILELENGTH, 16);
+    std::vector<std::uint16_t> tile(256);
+    for (std::uint16_t y = 0; y < 4; ++y) {
+      for (std::uint16_t x = 0; x < written.width; ++x) {
+        tile[16U * y + x] = static_cast<std::uint16_t>(100 * z + x + 5 * y);
+      }
+    }
+    ASSERT_GT(TIFFWriteEncodedTile(file, 0, tile.data(), 512), 0);
+  } else {
+    TIFFSetField(file, TIFFTAG_ROWSPERSTRIP, 3);
+    for (std::uint16_t y = 0; y < 4; ++y) {
+      std::vector<std::uint16_t> row(std::size_t{written.width} * written.samples);
+      for (std::size_t x = 0; x < row.size(); ++x) {
+        row[x] = static_cast<std::uint16_t>(100U * static_cast<unsigned>(z) + x + 5U * y);
+      }
+      ASSERT_EQ(TIFFWriteScanline(file, row.data(), y), 1);
+    }
+  }
+  ASSERT_EQ(TIFFWriteDirectory(file), 1);
+}
+
+class Tiff : public testing::Test {
+ protected:
+  std::string bytes_of(const Written& written) const {
+    const auto path = folder_ / "written";
+    TIFF* file = TIFFOpen(path.c_str(), written.mode);
+    EXPECT_NE(file, nullptr);
+    for (int z = 0; z < written.pages; ++z) write_page(file, written, z);
+    TIFFClose(file);
+    const std::string bytes = test::read_bytes(path);
+    std::filesystem::remove(path);
+    return bytes;
+  }
+  Volume read(const std::string& bytes, const FormatOptions& options = {},
+              const VoxelLimits& limits = {}) const {
+    write_bytes(folder_ / "a.tif", bytes);
+    return read_tiff(folder_ / "a.tif", options, limits);
+  }
+  std::string refusal(const Written& written) const {
+    return message_of<InvalidInput>([&] { read(bytes_of(written)); });
+  }
+  std::vector<Written> every_sort() const {
+    return {{},
+            {.mode = "wb"},
+            {.mode = "w8"},
+            {.compression = COMPRESSION_LZW},
+            {.mode = "wb", .compression = COMPRESSION_ADOBE_DEFLATE},
+            {.compression = COMPRESSION_PACKBITS},
+            {.tiled = true},
+            {.compression = COMPRESSION_LZW, .tiled = true}};
+  }
+  TempFolder folder_;
+};
+
+TEST_F(Tiff, EverySortHoldsTheSameVoxels) {
+  for (const Written& written : every_sort()) {
+    const Volume volume = read(bytes_of(written));
+    EXPECT_EQ(volume.dims, (Index3{5, 4, 2}));
+    const auto& values = std::get<std::vector<std::uint16_t>>(volume.values);
+    EXPECT_EQ(values[1], 1);
+    EXPECT_EQ(values[5], 5);
+    EXPECT_EQ(values[39], 119);
+  }
+}
+
+TEST_F(Tiff, NoFileCutShortIsRead) {
+  for (const Written& written : every_sort()) {
+    const auto path = folder_ / "cut.tif";
+    test::expect_no_beginning_is_read(path, bytes_of(written), [&] { read_tiff(path); });
+  }
+}
+
+TEST_F(Tiff, SamplesAreReadByTheirFormat) {
+  EXPECT_EQ(type_name(read(bytes_of({.format = SAMPLEFORMAT_INT})).values), "int16");
+  EXPECT_TRUE(contains(refusal({.format = SAMPLEFORMAT_IEEEFP}), "16 bits"));
+  EXPECT_TRUE(contains(refusal({.format = SAMPLEFORMAT_COMPLEXINT}), "sample format 5"));
+}
+
+TEST_F(Tiff, ColoursAndChannelsAreRefusedByName) {
+  EXPECT_TRUE(contains(refusal({.samples = 3}), "3 samples per pixel"));
+  EXPECT_TRUE(contains(refusal({.samples = 2}), "2 samples per pixel"));
+  EXPECT_TRUE(
+      contains(refusal({.description = "ImageJ=1.53\nimages=2\nchannels=2\n"}), "2 channels"));
+}
+
+TEST_F(Tiff, FewerPagesThanStatedAreRefused) {
+  EXPECT_TRUE(contains(refusal({.description = "ImageJ=1.53\nimages=3\nslices=3\n"}), "3 images"));
+  EXPECT_NO_THROW(read(bytes_of({.description = "ImageJ=1.53\nimages=2\nslices=2\n"})));
+}
+
+TEST_F(Tiff, FramesOfAStackAreChosen) {
+  const std::string file =
+      bytes_of({.pages = 6, .description = "ImageJ=1.53\nimages=6\nslices=2\nframes=3\n"});
+  EXPECT_TRUE(contains(message_of<InvalidArgument>([&] { read(file); }), "--frame 0 to 2"));
+  const Volume second = read(file, {.frame = 1});
+  EXPECT_EQ(second.dims[2], 2);
+  EXPECT_EQ(std::get<std::vector<std::uint16_t>>(second.values)[0], 200);
+}
+
+TEST_F(Tiff, PagesThatDifferAreRefused) {
+  const auto path = folder_ / "a.tif";
+  TIFF* file = TIFFOpen(path.c_str(), "w");
+  write_page(file, {}, 0);
+  write_page(file, {.width = 6}, 1);
+  TIFFClose(file);
+  EXPECT_TRUE(contains(message_of<InvalidInput>([&] { read_tiff(path); }), "differs"));
+}
+
+TEST_F(Tiff, AFolderIsReadInTheOrderOfTheNumbersInItsNames) {
+  const TempFolder folder;
+  for (const int z : {9, 10, 11}) {
+    const auto path = folder / std::string("slice_").append(std::to_string(z)).append(".tif");
+    TIFF* file = TIFFOpen(path.c_str(), "w");
+    write_page(file, {}, z);
+    TIFFClose(file);
+  }
+  write_bytes(folder / "notes.txt", "not looked at");
+  const Volume volume = read_tiff(folder.path(), {.spacing = Vec3{1, 2, 3}});
+  EXPECT_EQ(volume.dims, (Index3{5, 4, 3}));
+  EXPECT_EQ(volume.spacing, (Vec3{1, 2, 3}));
+  const auto& values = std::get<std::vector<std::uint16_t>>(volume.values);
+  EXPECT_EQ(values[0], 900);
+  EXPECT_EQ(values[20], 1000);
+  write_bytes(folder / "slice_12.tif", bytes_of({}));
+  EXPECT_TRUE(contains(message_of<InvalidInput>([&] { read_tiff(folder.path()); }), "2 pages"));
+}
+
+TEST_F(Tiff, DirectoriesInACircleAreRefused) {
+  std::string bytes = bytes_of({.pages = 1});
+  const auto at = load<std::uint32_t>(std::as_bytes(std::span(bytes)), 4, Endian::little);
+  const auto entries = load<std::uint16_t>(std::as_bytes(std::span(bytes)), at, Endian::little);
+  put(bytes, at + 2 + 12U * entries, at, Endian::little);
+  EXPECT_TRUE(contains(message_of<InvalidInput>([&] { read(bytes); }), "circle"));
+}
+
+TEST_F(Tiff, ABombIsRefusedBeforeMemoryIsAskedFor) {
+  std::string bytes = bytes_of({.pages = 1});
+  const auto at = load<std::uint32_t>(std::as_bytes(std::span(bytes)), 4, Endian::little);
+  put(bytes, at + 10, std::uint32_t{400000}, Endian::little);       // the width
+  put(bytes, at + 12 + 10, std::uint32_t{900000}, Endian::little);  // the height
+  bytes[at + 2 + 2] = 4;
+  bytes[at + 12 + 2 + 2] = 4;  // both as 32 bits
+  EXPECT_TRUE(contains(message_of<LimitExceeded>([&] { read(bytes); }), "--max-memory"));
+}
+
+TEST_F(Tiff, NoFlippedByteEndsTheProcess) {
+  for (const Written& written : every_sort()) {
+    const std::string whole = bytes_of(written);
+    for (std::size_t at = 0; at < whole.size(); at += 3) {
+      std::string damaged = whole;
+      damaged[at] = static_cast<char>(damaged[at] ^ 0xff);
+      try {
+        read(damaged, {}, {.max_bytes = 1 << 20});
+      } catch (const std::runtime_error&) {
+        continue;
+      }
+    }
+  }
+}
+
+TEST(TiffData, ReadsTheCochlea) {
+  ISOLOOP_NEEDS("formats/bat-cochlea_sub25.tif");
+  EXPECT_EQ(read_tiff(test::data("formats/bat-cochlea_sub25.tif")).dims, (Index3{30, 39, 29}));
+}
+
+}  // namespace
+}  // namespace isoloop
