@@ -35,8 +35,11 @@ enum class InsideRule { above, below };
 
 /// How M runs within the cubes between voxels. trilinear: it has the topology of the trilinear
 /// interpolant's iso-surface. simple: a cube's parts are those of its surface, and all are balls.
-/// Both cut the cubes' faces as the bilinear interpolant does.
-enum class Topology { trilinear, simple };
+/// Both cut the cubes' faces as the bilinear interpolant does. The others are for masks and go by
+/// which voxels are inside alone: inside voxels are joined across cube faces (connected_6), edges
+/// too (connected_18), or corners too (connected_26), and outside ones by the adjacency that goes
+/// with it: 26, 6 and 6 (Kong and Rosenfeld, Digital topology, CVGIP 1989).
+enum class Topology { trilinear, simple, connected_6, connected_18, connected_26 };
 
 /// Where the solid's border runs. f = iso is inside under both rules.
 struct IsoLevel {

@@ -18,7 +18,29 @@ double level_of(T value, const IsoLevel& level) {
   return std::clamp(oriented, -largest, largest);
 }
 
-/// Levels at the corners of a cube that lies within the grid; `lowest`: its lowest corner's voxel.
+/// The level that decides what is joined within cubes and faces, of the same sign as `oriented`:
+/// itself unless the topology goes by signs alone. Then it is one of two numbers whose interpolant
+/// has that topology. On an ambiguous face the side of the larger one is joined. Two opposite
+/// corners of a cube are joined if it is more than three times the other: the interpolant of
+/// corners a, a and six of -b is (a - 3 b) / 4 at the centre.
+inline double deciding_level(double oriented, Topology topology) {
+  const bool inside = oriented >= 0.0;
+  switch (topology) {
+    case Topology::trilinear:
+    case Topology::simple:
+      return oriented;
+    case Topology::connected_6:
+      return inside ? 0.125 : -1.0;
+    case Topology::connected_18:
+      return inside ? 1.0 : -0.5;
+    case Topology::connected_26:
+      return inside ? 1.0 : -0.125;
+  }
+  return oriented;
+}
+
+/// Deciding levels at the corners of a cube that lies within the grid; `lowest`: its lowest
+/// corner's voxel.
 template <class T>
 std::array<double, 8> corner_levels(const GridView<T>& grid, const IsoLevel& level,
                                     const Index3& lowest) {
@@ -27,7 +49,8 @@ std::array<double, 8> corner_levels(const GridView<T>& grid, const IsoLevel& lev
     const std::int64_t x = lowest[0] + (c & 1);
     const std::int64_t y = lowest[1] + (c >> 1 & 1);
     const std::int64_t z = lowest[2] + (c >> 2 & 1);
-    levels[c] = level_of(grid.values[x + grid.dims[0] * (y + grid.dims[1] * z)], level);
+    const T value = grid.values[x + grid.dims[0] * (y + grid.dims[1] * z)];
+    levels[c] = deciding_level(level_of(value, level), level.topology);
   }
   return levels;
 }

@@ -154,7 +154,8 @@ FaceBits decide_faces(const GridView<T>& grid, const IsoLevel& level, const Latt
       const std::int64_t x = lattice.first[0] + p[0] + (ring[i] & 1);
       const std::int64_t y = lattice.first[1] + p[1] + (ring[i] >> 1 & 1);
       const std::int64_t z = lattice.first[2] + p[2] + (ring[i] >> 2 & 1);
-      levels[i] = level_of(grid.values[x + grid.dims[0] * (y + grid.dims[1] * z)], level);
+      const T value = grid.values[x + grid.dims[0] * (y + grid.dims[1] * z)];
+      levels[i] = deciding_level(level_of(value, level), level.topology);
     }
     if (inside_is_joined(levels)) decided.joined |= 1U << face;
   }

@@ -50,7 +50,7 @@ struct Sides {
   }
 };
 
-/// Decides every voxel (f = iso is inside), every ambiguous face and, for Topology::trilinear,
+/// Decides every voxel (f = iso is inside), every ambiguous face and, but for Topology::simple,
 /// every interior tunnel. Infinite values count as very large ones. Throws InvalidInput where a
 /// voxel is NaN, InvalidArgument for an empty grid, a NaN iso, and one voxel along an axis with an
 /// open boundary, LimitExceeded over max_lattice_vertices or where the box takes more than

@@ -8,6 +8,7 @@ isoloop_add_tests(isoloop_core_tests
     core_bucket_queue_test.cpp
     core_certificate_test.cpp
     core_closest_test.cpp
+    core_connectivity_test.cpp
     core_cube_interior_test.cpp
     core_cube_sweep_test.cpp
     core_cube_test.cpp

@@ -52,37 +52,66 @@ inline std::int64_t count_components(Mask mask, std::uint8_t value,
   return components;
 }
 
-/// All offsets in {-1, 0, 1}^3 but (0, 0, 0); `faces_only` keeps the six of length 1.
-inline std::vector<Offset> neighbour_offsets(bool faces_only) {
+/// Those of the 26 neighbours of a voxel that share a face with it (6), an edge too (18) or a
+/// corner too (26).
+inline std::vector<Offset> neighbour_offsets(int adjacency) {
+  const int longest = adjacency == 6 ? 1 : adjacency == 18 ? 2 : 3;
   std::vector<Offset> offsets;
   for (int n = 0; n < 27; ++n) {
     const Offset o{n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
     const int length = o[0] * o[0] + o[1] * o[1] + o[2] * o[2];
-    if (length > 0 && (!faces_only || length == 1)) offsets.push_back(o);
+    if (length > 0 && length <= longest) offsets.push_back(o);
   }
   return offsets;
 }
 
-/// Voxels - pairs + 2x2 squares - 2x2x2 blocks that lie wholly in the set (6-connected).
-inline std::int64_t euler_characteristic(const Mask& mask) {
-  std::int64_t sum = 0;
-  for (int span = 0; span < 8; ++span) {  // bit a: the block spans two voxels along axis a
-    const Offset top{span & 1, span >> 1 & 1, span >> 2 & 1};
-    const std::int64_t sign = (top[0] + top[1] + top[2]) % 2 == 0 ? 1 : -1;
-    for (std::int64_t k = 0; k + top[2] < mask.dims[2]; ++k) {
-      for (std::int64_t j = 0; j + top[1] < mask.dims[1]; ++j) {
-        for (std::int64_t i = 0; i + top[0] < mask.dims[0]; ++i) {
-          const std::int64_t at = i + mask.dims[0] * (j + mask.dims[1] * k);
-          bool whole = true;
-          for (int corner = 0; corner < 8 && whole; ++corner) {
-            const Offset o{corner & 1 & top[0], corner >> 1 & top[1], corner >> 2 & top[2]};
-            whole = mask.voxels[static_cast<std::size_t>(at + offset_in(mask, o))] == 1;
-          }
-          if (whole) sum += sign;
+/// The inside voxels of the block of 1 or 2 voxels along each axis that begins at `at`; bit c of
+/// the result is that at offset c.
+inline unsigned block_bits(const Mask& mask, std::int64_t at, int span) {
+  unsigned bits = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    if ((corner & ~span) != 0) continue;
+    const Offset o{corner & 1, corner >> 1 & 1, corner >> 2 & 1};
+    if (mask.voxels[static_cast<std::size_t>(at + offset_in(mask, o))] == 1) bits |= 1U << corner;
+  }
+  return bits;
+}
+
+/// Calls visit(span, bits) for every block within the box; bit a of `span`: two voxels along axis
+/// a.
+template <class Visit>
+void for_each_block(const Mask& mask, const Visit& visit) {
+  for (int span = 0; span < 8; ++span) {
+    for (std::int64_t k = 0; k + (span >> 2) < mask.dims[2]; ++k) {
+      for (std::int64_t j = 0; j + (span >> 1 & 1) < mask.dims[1]; ++j) {
+        for (std::int64_t i = 0; i + (span & 1) < mask.dims[0]; ++i) {
+          visit(span, block_bits(mask, i + mask.dims[0] * (j + mask.dims[1] * k), span));
         }
       }
     }
   }
+}
+
+/// 6: voxels - pairs + 2x2 squares - 2x2x2 blocks that lie wholly in the set. 26: corners - edges +
+/// faces - cubes of the union of closed voxels. 18: as 26, but voxels that touch in a corner alone
+/// have one each.
+inline std::int64_t euler_characteristic(const Mask& mask, int adjacency = 6) {
+  std::int64_t sum = 0;
+  for_each_block(mask, [&](int span, unsigned bits) {
+    const int long_axes = (span & 1) + (span >> 1 & 1) + (span >> 2);
+    unsigned whole = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+      if ((corner & ~span) == 0) whole |= 1U << corner;
+    }
+    const std::int64_t sign = long_axes % 2 == 0 ? 1 : -1;
+    if (adjacency == 6) {
+      if (bits == whole) sum += sign;
+      return;
+    }
+    if (bits != 0) sum -= sign;
+    const bool opposite = bits == 0x81U || bits == 0x42U || bits == 0x24U || bits == 0x18U;
+    if (adjacency == 18 && span == 7 && opposite) ++sum;
+  });
   return sum;
 }
 
@@ -92,12 +121,12 @@ struct Betti {
   std::int64_t b2 = 0;
 };
 
-/// Inside by faces (6 neighbours), outside by corners too (26): the dual pair of adjacencies.
-inline Betti count_betti(const Mask& mask) {
+/// The outside is taken by the adjacency that goes with that of the inside: 26 with 6, else 6.
+inline Betti count_betti(const Mask& mask, int adjacency = 6) {
   Betti betti;
-  betti.b0 = count_components(mask, 1, neighbour_offsets(true));
-  betti.b2 = count_components(mask, 0, neighbour_offsets(false)) - 1;
-  betti.b1 = betti.b0 + betti.b2 - euler_characteristic(mask);
+  betti.b0 = count_components(mask, 1, neighbour_offsets(adjacency));
+  betti.b2 = count_components(mask, 0, neighbour_offsets(adjacency == 6 ? 26 : 6)) - 1;
+  betti.b1 = betti.b0 + betti.b2 - euler_characteristic(mask, adjacency);
   return betti;
 }
 
