@@ -30,7 +30,7 @@ struct VolumeFlags {
   std::optional<double> nan_as;       // the value that takes the place of NaN
   std::string max_memory;             // "4G"; empty: what the machine can spare
   std::uint64_t max_voxels = 0;       // 0: no bound of its own
-  VoxelSize voxel_size;               // of a mesh
+  VoxelSize voxel_size{};             // of a mesh
 };
 
 /// Where the solid's border runs, as typed.
