@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/command_line_fixture.h"
+#include "tests/mesh_samples.h"
 
 namespace isoloop {
 namespace {
@@ -133,7 +134,26 @@ TEST_F(CommandLine, FullDiskIsReported) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "needs /dev/full";
   scratch_.write("ring_5x5x3_uint8.raw", ring_bytes());
   EXPECT_EQ(run_isoloop(scratch_.path(), {"info", "ring_5x5x3_uint8.raw"}, "/dev/full").exit_code,
-            3);
+            4);
+}
+
+TEST_F(CommandLine, TooManyVoxelsAreRefusedNamingTheFlag) {
+  scratch_.write("ring_5x5x3_uint8.raw", ring_bytes());
+  expect_failure({"info", "ring_5x5x3_uint8.raw", "--max-voxels", "74"}, 4, "--max-voxels");
+  EXPECT_EQ(run({"info", "ring_5x5x3_uint8.raw", "--max-voxels", "75"}).exit_code, 0);
+}
+
+TEST_F(CommandLine, FindsTheLoopsOfAMesh) {
+  scratch_.write("ring.off", test::mesh_bytes(test::torus_mesh({50, 60, 70}, 3, 1, 30, 20),
+                                              test::MeshFormat::off));
+  const ProcessResult result = run({"loops", "ring.off", "--resolution", "40", "--json", "-"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const Json json = Json::parse(result.out);
+  EXPECT_EQ(json["surface"]["genus"], 1);
+  ASSERT_EQ(json["loops"].size(), 2U);
+  EXPECT_NEAR(json["loops"][1]["center_world"][2].get<double>(), 70.0, 1.0);
+  expect_failure({"loops", "ring.off"}, 2, "--voxel");
+  expect_failure({"loops", "ring.off", "--voxel", "1e-6"}, 4, "--max-memory");
 }
 
 TEST_F(CommandLine, MoreVoxelsThanMemoryIsOverTheLimit) {

@@ -1,8 +1,11 @@
+#include <array>
 #include <csignal>
 #include <string>
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "core/errors.h"
 #include "tests/volume_test_files.h"
@@ -32,7 +35,6 @@ TEST(AtomicFile, LeavesNothingWithoutCommit) {
   {
     AtomicFile file(folder / "out.json");
     file.stream() << "half";
-    EXPECT_EQ(folder.entries(), 1);
   }
   EXPECT_EQ(folder.entries(), 0);
 }
@@ -99,14 +101,53 @@ TEST(AtomicFile, AFailedWriteIsAnErrorAndLeavesNothing) {
   const TempFolder folder;
   for (const std::size_t size : {std::size_t{2000}, std::size_t{200000}}) {
     const FileSizeLimit full(1000);
-    const std::string message = message_of<InvalidInput>([&] {
+    const std::string message = message_of<LimitExceeded>([&] {
       AtomicFile file(folder / "out.raw");
       file.stream() << std::string(size, 'x');
       file.commit();
     });
-    EXPECT_TRUE(contains(message, "out.raw")) << message;
+    EXPECT_TRUE(contains(message, "out.raw: cannot be written")) << message;
   }
   EXPECT_EQ(folder.entries(), 0);
+}
+
+/// Writes half a file over `target`, says so on `pipe`, and waits for its end.
+[[noreturn]] void write_half_and_wait(const std::filesystem::path& target, int pipe) {
+  AtomicFile file(target);
+  file.stream() << std::string(100000, 'x') << std::flush;
+  if (write(pipe, "x", 1) != 1) _exit(1);
+  while (true) pause();
+}
+
+TEST(AtomicFile, NoSignalLeavesAPartOfAFile) {
+  const TempFolder folder;
+  write_bytes(folder / "old", "old");
+  for (const int signal : {SIGINT, SIGTERM, SIGKILL}) {
+    for (const char* name : {"new", "old"}) {
+      std::array<int, 2> ends{};
+      ASSERT_EQ(pipe(ends.data()), 0);
+      const pid_t child = fork();
+      ASSERT_GE(child, 0);
+      if (child == 0) write_half_and_wait(folder / name, ends[1]);
+      char byte = 0;
+      ASSERT_EQ(read(ends[0], &byte, 1), 1);
+      kill(child, signal);
+      waitpid(child, nullptr, 0);
+      close(ends[0]);
+      close(ends[1]);
+      EXPECT_EQ(folder.entries(), 1) << "signal " << signal;
+      EXPECT_EQ(read_bytes(folder / "old"), "old");
+    }
+  }
+}
+
+TEST(AtomicFile, HasThePermissionsThatAnyNewFileHas) {
+  const TempFolder folder;
+  write_bytes(folder / "usual", "x");
+  AtomicFile file(folder / "out");
+  file.commit();
+  EXPECT_EQ(std::filesystem::status(folder / "out").permissions(),
+            std::filesystem::status(folder / "usual").permissions());
 }
 
 }  // namespace

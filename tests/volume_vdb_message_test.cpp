@@ -45,9 +45,9 @@ std::string whole_message() {
   return out.str();
 }
 
-Volume receive(const std::string& bytes, std::uint64_t max_bytes = 0) {
+Volume receive(const std::string& bytes, const VoxelLimits& limits = {}) {
   std::istringstream in(bytes);
-  return receive_volume(in, max_bytes, "a.vdb");
+  return receive_volume(in, limits, "a.vdb");
 }
 
 float at(const Volume& volume, std::int64_t i, std::int64_t j, std::int64_t k) {
@@ -119,8 +119,8 @@ TEST(VdbMessage, AsksForNoMemoryBeyondTheLimit) {
   send_header(out, header);
   const std::string message = message_of<LimitExceeded>([&] { receive(out.str()); });
   EXPECT_TRUE(contains(message, "--max-memory")) << message;
-  EXPECT_THROW(receive(whole_message(), 5 * 9 * 3 * 4 - 1), LimitExceeded);
-  EXPECT_NO_THROW(receive(whole_message(), 5 * 9 * 3 * 4));
+  EXPECT_THROW(receive(whole_message(), {.max_bytes = 5 * 9 * 3 * 4 - 1}), LimitExceeded);
+  EXPECT_NO_THROW(receive(whole_message(), {.max_bytes = 5 * 9 * 3 * 4}));
 }
 
 TEST(VdbMessage, CarriesErrorsAsOneLine) {

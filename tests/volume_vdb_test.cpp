@@ -61,7 +61,7 @@ float at(const Volume& volume, const Index3& index) {
 TEST(VdbReader, SpansTheActiveBoxAloneWhereNoMarginIsWanted) {
   const TempFolder folder;
   write_grids(folder / "a.vdb", {small_grid("density")});
-  const Volume volume = read_vdb(folder / "a.vdb", "", 0, VdbMargin::none);
+  const Volume volume = read_vdb(folder / "a.vdb", "", {}, VdbMargin::none);
   EXPECT_EQ(volume.dims, (Index3{5, 2, 3}));
   EXPECT_EQ(at(volume, {0, 0, 0}), 1.0F);
   EXPECT_EQ(at(volume, {4, 1, 2}), 2.0F);
@@ -186,8 +186,9 @@ TEST(VdbReader, ChecksTheLimitBeforeItDensifies) {
   const TempFolder folder;
   auto grid = small_grid("density");
   write_grids(folder / "small.vdb", {grid});  // densified: 7 x 4 x 5 floats
-  EXPECT_THROW(read_vdb(folder / "small.vdb", "", 559), LimitExceeded);
-  EXPECT_NO_THROW(read_vdb(folder / "small.vdb", "", 560));
+  EXPECT_THROW(read_vdb(folder / "small.vdb", "", {.max_bytes = 559}), LimitExceeded);
+  EXPECT_NO_THROW(read_vdb(folder / "small.vdb", "", {.max_bytes = 560}));
+  EXPECT_THROW(read_vdb(folder / "small.vdb", "", {.max_voxels = 139}), LimitExceeded);
   grid->tree().setValueOn(Coord(2000000000, 2000000000, 2000000000));
   grid->tree().setValueOn(Coord(-2000000000, -2000000000, -2000000000));
   write_grids(folder / "wide.vdb", {grid});
@@ -213,7 +214,7 @@ Volume decode(const std::string& bytes) {
   std::istringstream in(bytes);
   std::stringstream message;
   decode_vdb(in, {}, "a.vdb", message);
-  return receive_volume(message, 0, "a.vdb");
+  return receive_volume(message, {}, "a.vdb");
 }
 
 /// In this process: tens of thousands of children would take an hour.
@@ -281,7 +282,7 @@ TEST(VdbReader, NamesTheLimitThatStoppedTheDecoder) {
   for (int i = 0; i < 40000; ++i) grid->tree().setValueOn(Coord(8 * (i % 200), 8 * (i / 200), 0));
   write_grids(folder / "a.vdb", {grid});  // 40 000 leaves: 83 MiB
   const std::string message =
-      message_of<LimitExceeded>([&] { read_vdb(folder / "a.vdb", "", 1000); });
+      message_of<LimitExceeded>([&] { read_vdb(folder / "a.vdb", "", {.max_bytes = 1000}); });
   EXPECT_TRUE(contains(message, "--max-memory")) << message;
 }
 

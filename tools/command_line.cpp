@@ -45,7 +45,7 @@ void parse_and_run(const std::vector<std::string>& arguments) {
       "  isoloop loops block.vdb --ply loops.ply\n"
       "  isoloop count engine_256x256x128_uint8.raw --iso 70\n"
       "isoloop COMMAND -h explains a command.\n"
-      "Exit codes: 0 done, 2 usage, 3 unreadable input, 4 out of memory, 5 self-check failed.");
+      "Exit codes: 0 done, 2 usage, 3 unreadable input, 4 over a limit, 5 self-check failed.");
   add_info_command(app);
   add_count_command(app);
   add_loops_command(app);

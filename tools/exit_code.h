@@ -10,7 +10,7 @@ enum class ExitCode {
   done = 0,
   usage = 2,              // the command line makes no sense, by itself or for this input
   invalid_input = 3,      // a file that cannot be read, must not be trusted or cannot be written
-  limit_exceeded = 4,     // more memory than allowed or there is
+  limit_exceeded = 4,     // more memory or voxels than allowed or there is, or a full disk
   self_check_failed = 5,  // a result that contradicts another one, or a defect of isoloop
 };
 

@@ -184,6 +184,7 @@ ReadOptions read_options(const VolumeFlags& flags) {
   if (flags.nan_as && std::isnan(*flags.nan_as)) {
     throw InvalidArgument("--nan-as wants a number to stand in for NaN");
   }
+  options.max_voxels = flags.max_voxels;
   options.voxel_size = flags.voxel_size;
   if (!flags.max_memory.empty()) options.max_bytes = parse_bytes(flags.max_memory);
   return options;

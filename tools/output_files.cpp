@@ -1,9 +1,12 @@
 #include "tools/output_files.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <iostream>
 #include <memory>
 #include <system_error>
+
+#include <unistd.h>
 
 #include "core/errors.h"
 #include "volume/atomic_file.h"
@@ -70,7 +73,11 @@ void check_writable(const std::filesystem::path& path) { const AtomicFile probe(
 
 void finish_stdout() {
   std::cout.flush();
-  if (!std::cout) throw InvalidInput("standard output cannot be written");
+  if (std::cout) return;
+  // The stream does not keep the reason that it failed for: one more byte meets it again.
+  const bool full = write(STDOUT_FILENO, "\n", 1) != 1 && is_out_of_room(errno);
+  if (full) throw LimitExceeded("standard output cannot be written: no room; the disk may be full");
+  throw InvalidInput("standard output cannot be written");
 }
 
 }  // namespace isoloop

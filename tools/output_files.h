@@ -28,7 +28,8 @@ class OutputFiles {
   /// True if a report goes to standard output.
   bool uses_stdout() const;
 
-  /// Writes all reports. Throws InvalidInput if one could not be written.
+  /// Writes all reports. Throws InvalidInput if one could not be written, LimitExceeded where the
+  /// disk is full.
   void write(const RunResult& run) const;
 
  private:
@@ -44,7 +45,8 @@ class OutputFiles {
 /// Throws InvalidInput, naming the file, if it cannot be created or replaced. Changes nothing.
 void check_writable(const std::filesystem::path& path);
 
-/// Throws InvalidInput if standard output could not take all that was written to it.
+/// Throws InvalidInput if standard output could not take all that was written to it, LimitExceeded
+/// if it leads to a full disk.
 void finish_stdout();
 
 }  // namespace isoloop

@@ -25,8 +25,15 @@ extern char** environ;
 namespace isoloop {
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool sanitized = true;  // its shadow is larger than any limit, and it is slow
+// AddressSanitizer's shadow is larger than any limit, and it is slow.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool sanitized = true;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+constexpr bool sanitized = true;
+#else
+constexpr bool sanitized = false;
+#endif
 #else
 constexpr bool sanitized = false;
 #endif

@@ -54,7 +54,7 @@ Volume read_by_kind(const std::filesystem::path& path, const ReadOptions& option
     case FileKind::raw:
       return read_raw(path, options.raw, limits);
     case FileKind::vdb:
-      return read_vdb(path, options.grid, options.max_bytes, options.margin);
+      return read_vdb(path, options.grid, limits, options.margin);
     case FileKind::nifti:
       return read_nifti(path, options.format, limits);
     case FileKind::nrrd:

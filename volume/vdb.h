@@ -6,6 +6,7 @@
 #include <iosfwd>
 #include <string>
 
+#include "volume/memory_limit.h"
 #include "volume/volume.h"
 
 namespace isoloop {
@@ -18,11 +19,11 @@ enum class VdbMargin { background, none };
 /// The volume spans the box of the grid's active voxels and the margin round it; inactive voxels
 /// keep their values. Its frame is `world`, its origin the world position of the box's lowest
 /// corner; level_set is set for grids of that class. NaN passes. Throws InvalidArgument (several
-/// grids fit, or none has that name), LimitExceeded (the box's voxels take more than max_bytes; 0:
-/// default_voxel_limit()), and InvalidInput: a damaged or truncated file, a grid of another type,
-/// without active voxels, or with a sheared or perspective transform.
+/// grids fit, or none has that name), LimitExceeded (the box's voxels are more than the limits
+/// allow), and InvalidInput: a damaged or truncated file, a grid of another type, without active
+/// voxels, or with a sheared or perspective transform.
 Volume read_vdb(const std::filesystem::path& path, const std::string& grid,
-                std::uint64_t max_bytes = 0, VdbMargin margin = VdbMargin::background);
+                const VoxelLimits& limits = {}, VdbMargin margin = VdbMargin::background);
 
 /// Writes one float grid with the volume's name, class and transform, blosc-compressed. Values
 /// become float32: integers above 2^24 and doubles are rounded. The background is the largest

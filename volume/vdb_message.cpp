@@ -241,7 +241,7 @@ void send_error(std::ostream& out, VdbErrorKind kind, const std::string& sentenc
   put_text(out, sentence);
 }
 
-Volume receive_volume(std::istream& in, std::uint64_t max_bytes, const std::string& what) {
+Volume receive_volume(std::istream& in, const VoxelLimits& limits, const std::string& what) {
   if (get<std::uint64_t>(in) != opening) throw BrokenMessage("it does not begin as it should");
   switch (get<std::uint32_t>(in)) {
     case static_cast<std::uint32_t>(Part::volume):
@@ -256,7 +256,7 @@ Volume receive_volume(std::istream& in, std::uint64_t max_bytes, const std::stri
   VdbHeader header = get_header(in);
   Volume volume = std::move(header.volume);
   const std::string grid = what + ": grid '" + volume.name + "'";
-  check_voxel_memory(volume.dims, bytes_per_voxel(header.type), max_bytes, grid);
+  check_voxel_memory(volume.dims, bytes_per_voxel(header.type), limits, grid);
   if (header.type == VoxelType::float32) {
     const auto background = static_cast<float>(header.background);
     volume.values = Receiver<float>(in, volume.dims, background).receive();

@@ -46,9 +46,9 @@ struct BrokenMessage : std::runtime_error {
 };
 
 /// Receives a volume. Work and memory are bounded by the size that the header states, and that is
-/// checked against `max_bytes` (0: default_voxel_limit()) before memory is asked for; `what` opens
-/// the message of that error. Throws what an error message says (InvalidArgument, InvalidInput),
-/// LimitExceeded, and BrokenMessage.
-Volume receive_volume(std::istream& in, std::uint64_t max_bytes, const std::string& what);
+/// checked against `limits` before memory is asked for; `what` opens the message of that error.
+/// Throws what an error message says (InvalidArgument, InvalidInput), LimitExceeded, and
+/// BrokenMessage.
+Volume receive_volume(std::istream& in, const VoxelLimits& limits, const std::string& what);
 
 }  // namespace isoloop

@@ -73,18 +73,20 @@ ChildProcess start_decoder(const std::filesystem::path& path, const ChildLimits&
 
 }  // namespace
 
-Volume read_vdb(const std::filesystem::path& path, const std::string& grid, std::uint64_t max_bytes,
-                VdbMargin margin) {
+Volume read_vdb(const std::filesystem::path& path, const std::string& grid,
+                const VoxelLimits& limits, VdbMargin margin) {
   const std::uint64_t bytes = file_bytes(path);
-  const std::uint64_t callers_limit = max_bytes == 0 ? default_voxel_limit() : max_bytes;
+  const std::uint64_t callers_limit =
+      limits.max_bytes == 0 ? default_voxel_limit() : limits.max_bytes;
   const std::uint64_t memory = most_memory(bytes);
   const bool limited_by_caller = callers_limit < memory - base_memory;
-  const ChildLimits limits{.memory_bytes = limited_by_caller ? callers_limit + base_memory : memory,
-                           .cpu_seconds = 1 + (bytes >> 20)};
+  const ChildLimits child_limits{
+      .memory_bytes = limited_by_caller ? callers_limit + base_memory : memory,
+      .cpu_seconds = 1 + (bytes >> 20)};
   ChildProcess child = start_decoder(
-      path, limits, {path.string(), grid, margin == VdbMargin::background ? "1" : "0"});
+      path, child_limits, {path.string(), grid, margin == VdbMargin::background ? "1" : "0"});
   try {
-    return receive_volume(child.output(), max_bytes, path.string());
+    return receive_volume(child.output(), limits, path.string());
   } catch (const BrokenMessage& error) {
     throw_reason(path, child.wait(), limited_by_caller, error.what());
   }
