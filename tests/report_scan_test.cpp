@@ -8,7 +8,7 @@
 
 #include "core/errors.h"
 #include "tests/sample_run.h"
-#include "tools/scan_command.h"
+#include "tools/scan_run.h"
 
 namespace isoloop {
 namespace {

@@ -7,7 +7,7 @@
 #include <tbb/global_control.h>
 
 #include "tools/read_run.h"
-#include "tools/scan_command.h"
+#include "tools/scan_run.h"
 
 namespace isoloop {
 
