@@ -99,6 +99,7 @@ TEST(ReadOptionsOfFlags, CarriesEveryFlag) {
                                             .frame = 3,
                                             .series = "1.2.3",
                                             .affine = "qform",
+                                            .label = "3,-7",
                                             .world = "lps",
                                             .nan_as = -1.0,
                                             .max_memory = "1K",
@@ -109,8 +110,10 @@ TEST(ReadOptionsOfFlags, CarriesEveryFlag) {
   EXPECT_EQ(options.raw.skip, 12U);
   EXPECT_EQ(options.raw.spacing, (Vec3{2, 2, 2}));
   EXPECT_EQ(options.grid, "density");
+  EXPECT_EQ(options.format.array, "density");
   EXPECT_EQ(options.nan_as, -1.0);
   EXPECT_EQ(options.format.spacing, (Vec3{2, 2, 2}));
+  EXPECT_EQ(options.labels, (std::vector<std::int64_t>{3, -7}));
   EXPECT_EQ(options.format.frame, 3);
   EXPECT_EQ(options.format.series, "1.2.3");
   EXPECT_EQ(options.format.transform, NiftiTransform::qform);
@@ -144,6 +147,23 @@ TEST(IsoLevelOfFlags, TopologyIsTrilinearUnlessSimpleIsAskedFor) {
   LevelFlags flags;
   flags.topology = "simple";
   EXPECT_EQ(iso_level(flags, two_voxels(true)).topology, Topology::simple);
+}
+
+TEST(IsoLevelOfFlags, ConnectivityTakesThePlaceOfTheTopology) {
+  LevelFlags flags;
+  for (const auto& [text, topology] :
+       {std::pair{"6", Topology::connected_6}, std::pair{"18", Topology::connected_18},
+        std::pair{"26", Topology::connected_26}}) {
+    flags.connectivity = text;
+    EXPECT_EQ(iso_level(flags, two_voxels(true)).topology, topology) << text;
+  }
+}
+
+TEST(IsoLevelOfFlags, IsOneHalfForAMask) {
+  Volume mask = two_voxels(false);
+  mask.mask = true;
+  EXPECT_EQ(iso_level({}, mask).iso, 0.5);
+  EXPECT_EQ(iso_level({}, mask).inside, InsideRule::above);
 }
 
 TEST(IsoLevelOfFlags, IsRequiredOtherwiseAndTheMessageStatesTheRange) {

@@ -6,20 +6,25 @@ isoloop_add_tests(isoloop_volume_tests
     volume_dicom_test.cpp
     volume_engine_block_test.cpp
     volume_file_kind_test.cpp
+    volume_labels_test.cpp
     volume_memory_limit_test.cpp
     volume_mesh_test.cpp
     volume_meta_image_test.cpp
     volume_nifti_test.cpp
+    volume_npy_test.cpp
     volume_nrrd_test.cpp
+    volume_placement_test.cpp
     volume_raw_test.cpp
     volume_read_test.cpp
     volume_shape_field_test.cpp
     volume_shapes_test.cpp
+    volume_stored_voxels_test.cpp
     volume_tiff_test.cpp
     volume_vdb_message_test.cpp
     volume_vdb_test.cpp
     volume_volume_test.cpp
     volume_voxelize_test.cpp
+    volume_vti_test.cpp
     volume_write_test.cpp
   LIBRARIES isoloop::volume isoloop_vdb_decode OpenVDB::openvdb TBB::tbb TIFF::TIFF ZLIB::ZLIB)
 

@@ -51,6 +51,7 @@ void write_info(std::ostream& out, const std::string& file, const Volume& volume
       << "affine     " << affine_text(volume) << '\n'
       << "level set  "
       << (volume.level_set ? "yes: --iso 0 --inside below unless stated otherwise"
+          : volume.mask    ? "no, a mask: --iso 0.5 --inside above unless stated otherwise"
                            : "no: --iso must be stated, --inside is above unless stated otherwise")
       << '\n';
   for (const std::string& note : volume.notes) out << "note       " << note << '\n';

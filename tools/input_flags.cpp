@@ -43,8 +43,9 @@ std::vector<Number> parse_list(std::string_view text, const std::string& complai
 
 // How many numbers may follow a flag.
 std::size_t numbers_after(std::string_view flag) {
-  constexpr std::array<std::pair<std::string_view, std::size_t>, 10> counts{{{"--dims", 3},
+  constexpr std::array<std::pair<std::string_view, std::size_t>, 11> counts{{{"--dims", 3},
                                                                              {"--frame", 1},
+                                                                             {"--label", 1},
                                                                              {"--spacing", 3},
                                                                              {"--iso", 1},
                                                                              {"--nan-as", 1},
@@ -86,7 +87,10 @@ void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
                   "length per voxel: one number, or one for each axis; replaces what the file says "
                   "of its place (not of a .vdb file)")
       ->type_name("S | X Y Z");
-  command.add_option("--grid", flags.grid, "name of the grid in a .vdb file")->type_name("NAME");
+  command
+      .add_option("--grid", flags.grid,
+                  "name of the grid in a .vdb file, of the array in a .vti file")
+      ->type_name("NAME");
   command.add_option("--frame", flags.frame, "which volume of a 4-D file, counted from 0")
       ->type_name("N");
   command
@@ -94,6 +98,10 @@ void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
                   "which series of a folder of DICOM slices: part of its identifier, number or "
                   "description")
       ->type_name("TEXT");
+  command
+      .add_option("--label", flags.label,
+                  "these labels of a label map are inside, all other voxels outside")
+      ->type_name("N[,M...]");
   command
       .add_option("--affine", flags.affine,
                   "which of a NIfTI file's maps to the world to use (default sform, then qform)")
@@ -143,6 +151,14 @@ void add_convention_flags(CLI::App& command, LevelFlags& flags) {
       ->check(CLI::IsMember({"trilinear", "simple"}))
       ->type_name("WHICH")
       ->capture_default_str();
+  command
+      .add_option("--topology", flags.topology,
+                  "of the surface within cubes: trilinear is that of the trilinear interpolant, "
+                  "tunnels within cubes included; simple makes every part of a cube a ball")
+      ->check(CLI::IsMember({"trilinear", "simple"}))
+      ->type_name("WHICH")
+      ->capture_default_str();
+  command
 }
 
 void add_level_flags(CLI::App& command, LevelFlags& flags) {
@@ -151,6 +167,13 @@ void add_level_flags(CLI::App& command, LevelFlags& flags) {
                   "value of the iso-surface; a level set in a .vdb file has 0 by default")
       ->type_name("VALUE");
   add_convention_flags(command, flags);
+  command
+      .add_option("--connectivity", flags.connectivity,
+                  "of a mask, in place of --topology: inside voxels are joined across faces (6), "
+                  "edges too (18) or corners too (26), whatever their values")
+      ->check(CLI::IsMember({"6", "18", "26"}))
+      ->type_name("N")
+      ->excludes("--topology");
   command.add_flag("--open-boundary", flags.open_boundary,
                    "end the surface at the border of the volume instead of closing it there; its "
                    "sides are not told apart");
@@ -176,10 +199,17 @@ ReadOptions read_options(const VolumeFlags& flags) {
   options.format.series = flags.series;
   if (flags.affine == "sform") options.format.transform = NiftiTransform::sform;
   if (flags.affine == "qform") options.format.transform = NiftiTransform::qform;
+  if (!flags.label.empty()) {
+    const std::string complaint =
+        "--label " + flags.label + " does not state labels, as --label 3 and --label 3,7 do";
+    options.labels = parse_list<std::int64_t>(flags.label, complaint);
+    if (options.labels.empty()) throw InvalidArgument(complaint);
+  }
   if (flags.world == "ras") options.world = Frame::ras;
   if (flags.world == "lps") options.world = Frame::lps;
   options.max_voxels = flags.max_voxels;
   options.grid = flags.grid;
+  options.format.array = flags.grid;
   options.nan_as = flags.nan_as;
   if (flags.nan_as && std::isnan(*flags.nan_as)) {
     throw InvalidArgument("--nan-as wants a number to stand in for NaN");
@@ -194,6 +224,8 @@ IsoLevel iso_level(const LevelFlags& flags, const Volume& volume) {
   IsoLevel level;
   if (flags.iso) {
     level.iso = *flags.iso;
+  } else if (volume.mask) {
+    level.iso = 0.5;
   } else if (!volume.level_set) {
     const ValueRange range = value_range(volume);
     throw InvalidArgument("--iso is required: the file is no level set; its values run from " +
@@ -203,11 +235,33 @@ IsoLevel iso_level(const LevelFlags& flags, const Volume& volume) {
   const bool below = flags.inside.empty() ? volume.level_set : flags.inside == "below";
   level.inside = below ? InsideRule::below : InsideRule::above;
   level.topology = flags.topology == "simple" ? Topology::simple : Topology::trilinear;
+  if (flags.connectivity == "6") level.topology = Topology::connected_6;
+  if (flags.connectivity == "18") level.topology = Topology::connected_18;
+  if (flags.connectivity == "26") level.topology = Topology::connected_26;
   return level;
 }
 
 std::string topology_text(Topology topology) {
-  return topology == Topology::simple ? "simple" : "trilinear";
+  switch (topology) {
+    case Topology::trilinear:
+      return "trilinear";
+    case Topology::simple:
+      return "simple";
+    case Topology::connected_6:
+      return "6-connected";
+    case Topology::connected_18:
+      return "18-connected";
+    case Topology::connected_26:
+      return "26-connected";
+  }
+  return "trilinear";
+}
+
+std::string ambiguous_faces_text(Topology topology) {
+  if (topology == Topology::trilinear || topology == Topology::simple) {
+    return "asymptotic decider; a saddle at the iso value is outside";
+  }
+  return topology == Topology::connected_6 ? "outside joined" : "inside joined";
 }
 
 Boundary boundary_of(const LevelFlags& flags) {

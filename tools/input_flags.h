@@ -26,6 +26,7 @@ struct VolumeFlags {
   std::optional<std::int64_t> frame;  // of a 4-D file, from 0
   std::string series;                 // of DICOM slices: part of its identifier or description
   std::string affine;                 // "sform", "qform" or empty: as NIfTI's standard says
+  std::string label;                  // "3" or "3,7": labels that are inside; empty: values count
   std::string world;                  // "ras", "lps" or empty: the file's frame
   std::optional<double> nan_as;       // the value that takes the place of NaN
   std::string max_memory;             // "4G"; empty: what the machine can spare
@@ -38,6 +39,7 @@ struct LevelFlags {
   std::optional<double> iso;  // unit of the voxel values
   std::string inside;         // "above", "below" or empty: as the file suggests
   std::string topology = "trilinear";
+  std::string connectivity;  // of a mask's inside: "6", "18", "26", or empty: as `topology` says
   bool open_boundary = false;
 };
 
@@ -47,18 +49,23 @@ void add_volume_flags(CLI::App& command, VolumeFlags& flags);
 /// Adds --inside and --topology. `flags` must outlive the parse.
 void add_convention_flags(CLI::App& command, LevelFlags& flags);
 
-/// Adds --iso, --inside, --topology and --open-boundary. `flags` must outlive the parse.
+/// Adds --iso, --inside, --topology, --connectivity and --open-boundary. `flags` must outlive the
+/// parse.
 void add_level_flags(CLI::App& command, LevelFlags& flags);
 
 /// Throws InvalidArgument naming the flag that makes no sense.
 ReadOptions read_options(const VolumeFlags& flags);
 
-/// A level set has the level 0 and its inside below unless the flags say otherwise; other volumes
-/// have their inside above. Throws InvalidArgument if iso is missing or not finite.
+/// A level set has the level 0 and its inside below unless the flags say otherwise; a mask has the
+/// level 0.5; other volumes have their inside above. Throws InvalidArgument if iso is missing or
+/// not finite.
 IsoLevel iso_level(const LevelFlags& flags, const Volume& volume);
 
-/// As the flag spells it: "trilinear" or "simple".
+/// As the flags spell it: "trilinear", "simple", or "6-connected" and the like.
 std::string topology_text(Topology topology);
+
+/// How ambiguous faces are decided, in words.
+std::string ambiguous_faces_text(Topology topology);
 
 Boundary boundary_of(const LevelFlags& flags);
 

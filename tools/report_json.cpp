@@ -58,15 +58,14 @@ Json input_of(const RunResult& run) {
 
 Json conventions_of(const RunResult& run) {
   const bool open = run.analysis.surface.boundary == Boundary::open;
-  Json conventions = {
-      {"inside", inside_text(run.level)},
-      {"inside_rule", run.level.inside == InsideRule::above ? "above" : "below"},
-      {"equal_to_iso", "inside"},
-      {"topology", topology_text(run.level.topology)},
-      {"ambiguous_faces", "asymptotic decider; a saddle at the iso value is outside"},
-      {"padding", open ? "none: the surface ends at the border of the volume"
-                       : "one layer outside the volume"},
-      {"coefficients", "Z2"}};
+  Json conventions = {{"inside", inside_text(run.level)},
+                      {"inside_rule", run.level.inside == InsideRule::above ? "above" : "below"},
+                      {"equal_to_iso", "inside"},
+                      {"topology", topology_text(run.level.topology)},
+                      {"ambiguous_faces", ambiguous_faces_text(run.level.topology)},
+                      {"padding", open ? "none: the surface ends at the border of the volume"
+                                       : "one layer outside the volume"},
+                      {"coefficients", "Z2"}};
   if (open) conventions["betti"] = "of the surface, whose sides are not told apart";
   if (run.with_loops) {
     conventions["geodesic"] = run.geodesic == GeodesicMode::exact ? "exact" : "hierarchy";

@@ -140,7 +140,8 @@ DicomSlice read_dicom_slice(const std::filesystem::path& path) {
 
 VoxelArray read_pixels(const DicomSlice& slice) {
   ByteStream stream(slice.path, Packing::plain, slice.pixels_from);
-  VoxelArray pixels = read_stored(stream, slice.layout, "its pixels");
+  VoxelArray pixels = read_stored([&](std::span<std::byte> to) { stream.read(to, "its pixels"); },
+                                  slice.layout, slice.path.string());
   std::visit(
       [&]<class T>(std::vector<T>& values) {
         if constexpr (std::is_integral_v<T>) keep_stored_bits(values, slice);

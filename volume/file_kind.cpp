@@ -13,7 +13,7 @@ struct Extension {
 };
 
 // In the order in which messages list them.
-constexpr std::array<Extension, 12> extensions{{{".raw", FileKind::raw},
+constexpr std::array<Extension, 14> extensions{{{".raw", FileKind::raw},
                                                 {".vdb", FileKind::vdb},
                                                 {".nii", FileKind::nifti},
                                                 {".hdr", FileKind::nifti},
@@ -24,7 +24,9 @@ constexpr std::array<Extension, 12> extensions{{{".raw", FileKind::raw},
                                                 {".mhd", FileKind::meta_image},
                                                 {".dcm", FileKind::dicom},
                                                 {".tif", FileKind::tiff},
-                                                {".tiff", FileKind::tiff}}};
+                                                {".tiff", FileKind::tiff},
+                                                {".npy", FileKind::npy},
+                                                {".vti", FileKind::vti}}};
 
 }  // namespace
 

@@ -4,17 +4,21 @@
 #include <cmath>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 #include "core/errors.h"
 #include "volume/byte_stream.h"
 #include "volume/dicom.h"
 #include "volume/file_kind.h"
+#include "volume/labels.h"
 #include "volume/mesh.h"
 #include "volume/meta_image.h"
 #include "volume/nifti.h"
+#include "volume/npy.h"
 #include "volume/nrrd.h"
 #include "volume/tiff.h"
 #include "volume/vdb.h"
+#include "volume/vti.h"
 
 namespace isoloop {
 namespace {
@@ -65,6 +69,10 @@ Volume read_by_kind(const std::filesystem::path& path, const ReadOptions& option
       return read_dicom(path, options.format, limits);
     case FileKind::tiff:
       return read_tiff(path, options.format, limits);
+    case FileKind::npy:
+      return read_npy(path, options.format, limits);
+    case FileKind::vti:
+      return read_vti(path, options.format, limits);
   }
   throw InvalidInput(path.string() + ": unknown kind of file");
 }
@@ -110,6 +118,9 @@ Volume read_volume(const std::filesystem::path& path, const ReadOptions& options
         }
       },
       volume.values);
+  if (!options.labels.empty()) {
+    volume = mask_of_labels(std::move(volume), options.labels, path.string());
+  }
   if (options.world) turn_frame(volume, *options.world, path.string());
   return volume;
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "volume/placement.h"
 #include "volume/raw.h"
@@ -19,6 +20,8 @@ struct ReadOptions {
   std::string grid{};  // grid of a .vdb file, see read_vdb; empty: the only scalar one
   VdbMargin margin = VdbMargin::background;  // of a .vdb file
   FormatOptions format{};                    // for files of any other kind
+  std::vector<std::int64_t>
+      labels{};                  // these become a mask, see mask_of_labels; empty: values stay
   std::optional<Frame> world{};  // lps or ras: coordinates are turned to it; unset: the file's own
   std::optional<double> nan_as{};  // takes the place of NaN, in voxel values; unset: NaN is refused
   std::uint64_t max_bytes = 0;     // most bytes of voxels; 0: 80 % of the available memory

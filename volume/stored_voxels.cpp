@@ -24,23 +24,22 @@ std::uint64_t frame_voxels(const VoxelLayout& layout) {
 }
 
 template <class T>
-std::vector<T> read_values(ByteStream& stream, std::uint64_t count, Endian endian,
-                           const std::string& what) {
+std::vector<T> read_values(const ByteSource& next, std::uint64_t count, Endian endian) {
   std::vector<T> values(count);
-  stream.read(std::as_writable_bytes(std::span(values)), what);
+  next(std::as_writable_bytes(std::span(values)));
   if (endian != native_endian) swap_bytes(std::span(values));
   return values;
 }
 
 // In pieces, so that the wide integers never take memory all at once.
 template <class Wide, class Narrow>
-std::vector<Narrow> read_wide(ByteStream& stream, std::uint64_t count, Endian endian,
+std::vector<Narrow> read_wide(const ByteSource& next, std::uint64_t count, Endian endian,
                               const std::string& what) {
   constexpr std::uint64_t piece = 8192;
   std::vector<Narrow> values(count);
   for (std::uint64_t done = 0; done < count;) {
     const std::uint64_t now = std::min(piece, count - done);
-    for (const Wide value : read_values<Wide>(stream, now, endian, what)) {
+    for (const Wide value : read_values<Wide>(next, now, endian)) {
       if (value < std::numeric_limits<Narrow>::min() ||
           value > std::numeric_limits<Narrow>::max()) {
         throw InvalidInput(what + ": a voxel is " + std::to_string(value) +
@@ -139,30 +138,30 @@ std::uint64_t choose_frame(const VoxelLayout& layout, const std::optional<std::i
   return static_cast<std::uint64_t>(*frame);
 }
 
-VoxelArray read_stored(ByteStream& stream, const VoxelLayout& layout, const std::string& what) {
+VoxelArray read_stored(const ByteSource& next, const VoxelLayout& layout, const std::string& what) {
   const std::uint64_t count = frame_voxels(layout);
   const Endian endian = layout.endian;
   switch (layout.type) {
     case StoredType::uint8:
-      return read_values<std::uint8_t>(stream, count, endian, what);
+      return read_values<std::uint8_t>(next, count, endian);
     case StoredType::int8:
-      return read_values<std::int8_t>(stream, count, endian, what);
+      return read_values<std::int8_t>(next, count, endian);
     case StoredType::uint16:
-      return read_values<std::uint16_t>(stream, count, endian, what);
+      return read_values<std::uint16_t>(next, count, endian);
     case StoredType::int16:
-      return read_values<std::int16_t>(stream, count, endian, what);
+      return read_values<std::int16_t>(next, count, endian);
     case StoredType::uint32:
-      return read_values<std::uint32_t>(stream, count, endian, what);
+      return read_values<std::uint32_t>(next, count, endian);
     case StoredType::int32:
-      return read_values<std::int32_t>(stream, count, endian, what);
+      return read_values<std::int32_t>(next, count, endian);
     case StoredType::float32:
-      return read_values<float>(stream, count, endian, what);
+      return read_values<float>(next, count, endian);
     case StoredType::float64:
-      return read_values<double>(stream, count, endian, what);
+      return read_values<double>(next, count, endian);
     case StoredType::int64:
-      return read_wide<std::int64_t, std::int32_t>(stream, count, endian, what);
+      return read_wide<std::int64_t, std::int32_t>(next, count, endian, what);
     case StoredType::uint64:
-      return read_wide<std::uint64_t, std::uint32_t>(stream, count, endian, what);
+      return read_wide<std::uint64_t, std::uint32_t>(next, count, endian, what);
   }
   throw InvalidInput(what + ": unknown voxel type");
 }
@@ -176,7 +175,8 @@ VoxelArray read_voxels(ByteStream& stream, const VoxelLayout& layout, std::uint6
                              " voxels";
   stream.check_room(bytes * layout.frames, voxels);
   stream.skip(bytes * frame, voxels);
-  VoxelArray values = read_stored(stream, layout, voxels);
+  VoxelArray values =
+      read_stored([&](std::span<std::byte> to) { stream.read(to, voxels); }, layout, what);
   stream.skip(bytes * (layout.frames - frame - 1), voxels);
   stream.expect_end(voxels);
   if (is_identity(layout)) return values;

@@ -1,8 +1,11 @@
 // Voxels as files store them: any byte order, 64-bit integers, a slope and an intercept.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "volume/byte_order.h"
@@ -61,9 +64,12 @@ std::uint64_t choose_frame(const VoxelLayout& layout, const std::optional<std::i
 VoxelArray read_voxels(ByteStream& stream, const VoxelLayout& layout, std::uint64_t frame,
                        const VoxelLimits& limits, const std::string& what);
 
-/// The next frame's values as stored, unscaled, wherever the stream ends. The caller has checked
-/// the layout. Throws InvalidInput (bytes are missing or damaged).
-VoxelArray read_stored(ByteStream& stream, const VoxelLayout& layout, const std::string& what);
+/// Fills a span with the next stored bytes, or throws.
+using ByteSource = std::function<void(std::span<std::byte>)>;
+
+/// One frame's values as stored, unscaled. The caller has checked the layout. Throws InvalidInput
+/// (integers of 64 bits that do not fit) and what `next` throws.
+VoxelArray read_stored(const ByteSource& next, const VoxelLayout& layout, const std::string& what);
 
 /// Notes slope and intercept in the volume, unless they change nothing.
 void add_scale_note(const VoxelLayout& layout, Volume& volume);

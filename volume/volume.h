@@ -33,6 +33,7 @@ struct Volume {
   std::array<Vec3, 3> direction{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
   Frame frame = Frame::index;
   bool level_set = false;               // a signed distance: inside is below, iso defaults to 0
+  bool mask = false;                    // of 0 and 1: iso defaults to 0.5
   std::string name{};                   // of the grid within the file; empty where files hold one
   std::vector<std::string> notes{};     // what was read how; a sentence each
   std::vector<std::string> warnings{};  // what a user should look at; a sentence each

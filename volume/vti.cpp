@@ -1,0 +1,363 @@
+#include "volume/vti.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "core/errors.h"
+#include "volume/header_text.h"
+#include "volume/stored_voxels.h"
+#include "volume/vti_data.h"
+#include "volume/xml_tags.h"
+
+namespace isoloop {
+namespace {
+
+[[noreturn]] void refuse(const std::string& what, const std::string& complaint) {
+  throw InvalidInput(what + ": " + complaint);
+}
+
+std::string attribute(const XmlTag& tag, const std::string& name, const std::string& missing) {
+  const auto found = tag.attributes.find(name);
+  return found == tag.attributes.end() ? missing : found->second;
+}
+
+/// One array of point data: what its tag says, and the text up to the closing tag.
+struct Array {
+  XmlTag tag;
+  std::string_view text;
+};
+
+struct Header {
+  XmlTag file;
+  XmlTag image;
+  std::string active;  // the name of the active scalars
+  std::vector<Array> arrays;
+  bool has_cell_data = false;
+  std::string_view appended;  // after the underscore, before the closing tag
+  bool appended_base64 = false;
+};
+
+/// Without blanks and then `ending` at the end. Throws if it does not end so.
+std::string_view without_ending(std::string_view text, std::string_view ending,
+                                const std::string& what) {
+  text = trimmed(text);
+  if (!text.ends_with(ending)) refuse(what, "is cut short: it does not end with </VTKFile>");
+  return text.substr(0, text.size() - ending.size());
+}
+
+void set_appended(const XmlTag& tag, std::string_view text, Header& header,
+                  const std::string& what) {
+  const std::string encoding = attribute(tag, "encoding", "raw");
+  if (encoding != "raw" && encoding != "base64") {
+    refuse(what, "its appended data is encoded as '" + encoding + "'");
+  }
+  header.appended_base64 = encoding == "base64";
+  // Raw bytes may look like blanks: nothing is trimmed before the underscore or within.
+  const std::size_t underscore = text.find('_', tag.end);
+  const std::string_view body = without_ending(text, "</VTKFile>", what);
+  const std::string_view data = without_ending(body, "</AppendedData>", what);
+  const auto end = static_cast<std::size_t>(data.data() + data.size() - text.data());
+  if (underscore == std::string_view::npos || underscore >= end) {
+    refuse(what, "its appended data does not begin with an underscore");
+  }
+  header.appended = text.substr(underscore + 1, end - underscore - 1);
+}
+
+/// Takes the tags one by one.
+class Parser {
+ public:
+  Parser(std::string_view text, const std::string& what) : text_(text), what_(what) {}
+
+  Header parse() {
+    std::size_t at = 0;
+    bool closed = false;
+    while (!closed) {
+      const std::optional<XmlTag> tag = next_tag(text_, at, what_);
+      if (!tag) refuse(what_, "is cut short: it does not end with </VTKFile>");
+      at = take(*tag);
+      closed = tag->name == "/VTKFile" || tag->name == "AppendedData";
+    }
+    if (header_.image.name.empty()) refuse(what_, "holds no image data");
+    if (header_.appended.data() == nullptr) without_ending(text_, "</VTKFile>", what_);
+    return header_;
+  }
+
+ private:
+  std::size_t take(const XmlTag& tag) {
+    if (header_.file.name.empty() && tag.name != "VTKFile") refuse(what_, "is no VTK file");
+    if (tag.name == "VTKFile") {
+      if (attribute(tag, "type", "") != "ImageData") {
+        refuse(what_, "holds " + attribute(tag, "type", "nothing known") + ", not ImageData");
+      }
+      header_.file = tag;
+    } else if (tag.name == "ImageData") {
+      header_.image = tag;
+    } else if (tag.name == "Piece") {
+      if (++pieces_ > 1) refuse(what_, "holds several pieces; save it as one");
+      if (attribute(tag, "Extent", "") != attribute(header_.image, "WholeExtent", "")) {
+        refuse(what_, "holds a piece that is not the whole");
+      }
+    } else if (tag.name == "PointData") {
+      in_point_data_ = !tag.is_empty;
+      header_.active = attribute(tag, "Scalars", "");
+    } else if (tag.name == "/PointData") {
+      in_point_data_ = false;
+    } else if (tag.name == "CellData") {
+      header_.has_cell_data = header_.has_cell_data || !tag.is_empty;
+    } else if (tag.name == "DataArray") {
+      return take_array(tag);
+    } else if (tag.name == "AppendedData") {
+      set_appended(tag, text_, header_, what_);
+    }
+    return tag.end;
+  }
+
+  std::size_t take_array(const XmlTag& tag) {
+    Array array{.tag = tag, .text = {}};
+    std::size_t end = tag.end;
+    if (!tag.is_empty) {
+      const std::size_t close = text_.find("</DataArray>", tag.end);
+      if (close == std::string_view::npos) refuse(what_, "is cut short within an array");
+      array.text = text_.substr(tag.end, close - tag.end);
+      // Statistics may stand within, as elements of their own.
+      array.text = array.text.substr(0, array.text.find('<'));
+      end = close;
+    }
+    if (in_point_data_) header_.arrays.push_back(array);
+    return end;
+  }
+
+  std::string_view text_;
+  const std::string& what_;
+  Header header_;
+  int pieces_ = 0;
+  bool in_point_data_ = false;
+};
+
+const Array& choose_array(const Header& header, const std::string& wanted,
+                          const std::string& what) {
+  if (header.arrays.empty()) {
+    refuse(what, header.has_cell_data ? "holds data of cells alone; turn it into point data"
+                                      : "holds no point data");
+  }
+  const std::string& name = wanted.empty() ? header.active : wanted;
+  std::string names;
+  for (const Array& array : header.arrays) {
+    const std::string own = attribute(array.tag, "Name", "");
+    if (!name.empty() && own == name) return array;
+    names += (names.empty() ? "'" : ", '") + own + "'";
+  }
+  if (wanted.empty() && header.arrays.size() == 1) return header.arrays.front();
+  throw InvalidArgument(what + ": choose one of its arrays with --grid: " + names);
+}
+
+StoredType type_of(const std::string& name, const std::string& what) {
+  struct Name {
+    std::string_view name;
+    StoredType type;
+  };
+  static constexpr std::array<Name, 10> names{{{"Int8", StoredType::int8},
+                                               {"UInt8", StoredType::uint8},
+                                               {"Int16", StoredType::int16},
+                                               {"UInt16", StoredType::uint16},
+                                               {"Int32", StoredType::int32},
+                                               {"UInt32", StoredType::uint32},
+                                               {"Int64", StoredType::int64},
+                                               {"UInt64", StoredType::uint64},
+                                               {"Float32", StoredType::float32},
+                                               {"Float64", StoredType::float64}}};
+  for (const auto& [text, type] : names) {
+    if (name == text) return type;
+  }
+  refuse(what, "holds values of type '" + name + "', which isoloop does not read");
+}
+
+VtiEncoding encoding_of(const Header& header, const std::string& what) {
+  VtiEncoding encoding;
+  const std::string order = attribute(header.file, "byte_order", "LittleEndian");
+  const std::string sizes = attribute(header.file, "header_type", "UInt32");
+  const std::string compressor = attribute(header.file, "compressor", "");
+  if (order != "LittleEndian" && order != "BigEndian") refuse(what, "its byte order is " + order);
+  if (sizes != "UInt32" && sizes != "UInt64") refuse(what, "states sizes as " + sizes);
+  if (!compressor.empty() && compressor != "vtkZLibDataCompressor") {
+    refuse(what, "is compressed by " + compressor + "; isoloop reads vtkZLibDataCompressor");
+  }
+  encoding.endian = order == "BigEndian" ? Endian::big : Endian::little;
+  encoding.size_bytes = sizes == "UInt64" ? 8 : 4;
+  encoding.packed = !compressor.empty();
+  return encoding;
+}
+
+/// First and last voxel along each axis, as the whole extent states them.
+std::array<std::array<std::int64_t, 2>, 3> extent_of(const Header& header, VoxelLayout& layout,
+                                                     const std::string& what) {
+  const auto numbers = whole_numbers_of(attribute(header.image, "WholeExtent", ""), 6, what);
+  std::array<std::array<std::int64_t, 2>, 3> extent{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    extent[axis] = {numbers[2 * axis], numbers[2 * axis + 1]};
+    constexpr std::int64_t most = std::int64_t{1} << 40;
+    const auto& [low, high] = extent[axis];
+    if (low > high || low < -most || high > most) refuse(what, "its extent makes no volume");
+    layout.dims[axis] = high - low + 1;
+  }
+  return extent;
+}
+
+Placement placement_of(const Header& header, const Vec3& lowest, const std::string& what) {
+  const auto origin = numbers_of(attribute(header.image, "Origin", "0 0 0"), 3, what);
+  const auto spacing = numbers_of(attribute(header.image, "Spacing", "1 1 1"), 3, what);
+  const auto rows = numbers_of(attribute(header.image, "Direction", "1 0 0 0 1 0 0 0 1"), 9, what);
+  Placement placement{.origin = {origin[0], origin[1], origin[2]}, .frame = Frame::world};
+  columns_of({spacing[0], spacing[1], spacing[2]}, what);  // refuses what is no length
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      placement.columns[axis][c] = rows[3 * c + axis] * spacing[axis];
+    }
+  }
+  placement.origin = to_world(placement, lowest);
+  return placement;
+}
+
+template <class T>
+VoxelArray parsed_values(std::string_view text, std::uint64_t count, const std::string& what) {
+  const std::vector<std::string> words = words_of(text);
+  if (words.size() != count) {
+    refuse(what, "holds " + std::to_string(words.size()) + " numbers, but " +
+                     std::to_string(count) + " voxels");
+  }
+  std::vector<T> values;
+  values.reserve(count);
+  for (const std::string& word : words) {
+    const std::optional<double> number = number_of(word);
+    bool fits = number.has_value();
+    if constexpr (std::is_integral_v<T>) {
+      fits = fits && *number == std::floor(*number) &&
+             *number >= static_cast<double>(std::numeric_limits<T>::min()) &&
+             *number <= static_cast<double>(std::numeric_limits<T>::max());
+    }
+    if (!fits) refuse(what, "holds '" + word.substr(0, 40) + "' where a voxel's number should be");
+    values.push_back(static_cast<T>(*number));
+  }
+  return values;
+}
+
+VoxelArray values_of_text(std::string_view text, StoredType type, std::uint64_t count,
+                          const std::string& what) {
+  // Each number takes a letter and a blank at least: before memory is asked for.
+  if (text.size() / 2 + 1 < count) refuse(what, "its text is too short for its voxels");
+  switch (type) {
+    case StoredType::uint8:
+      return parsed_values<std::uint8_t>(text, count, what);
+    case StoredType::int8:
+      return parsed_values<std::int8_t>(text, count, what);
+    case StoredType::uint16:
+      return parsed_values<std::uint16_t>(text, count, what);
+    case StoredType::int16:
+      return parsed_values<std::int16_t>(text, count, what);
+    case StoredType::uint32:
+    case StoredType::uint64:
+      return parsed_values<std::uint32_t>(text, count, what);
+    case StoredType::int32:
+    case StoredType::int64:
+      return parsed_values<std::int32_t>(text, count, what);
+    case StoredType::float32:
+      return parsed_values<float>(text, count, what);
+    case StoredType::float64:
+      return parsed_values<double>(text, count, what);
+  }
+  refuse(what, "holds values of an unknown type");
+}
+
+VoxelArray values_of_bytes(const std::string& bytes, const VoxelLayout& layout,
+                           const std::string& what) {
+  std::size_t at = 0;
+  const auto next = [&](std::span<std::byte> to) {
+    if (to.size() > bytes.size() - at) refuse(what, "ends within its voxels");
+    std::memcpy(to.data(), bytes.data() + at, to.size());
+    at += to.size();
+  };
+  return read_stored(next, layout, what);
+}
+
+VoxelArray values_of(const Array& array, const Header& header, const VoxelLayout& layout,
+                     const std::string& what) {
+  const std::string format = attribute(array.tag, "format", "ascii");
+  const auto count = static_cast<std::uint64_t>(layout.dims[0] * layout.dims[1] * layout.dims[2]);
+  if (format == "ascii") return values_of_text(array.text, layout.type, count, what);
+  VtiEncoding encoding = encoding_of(header, what);
+  std::string_view stored = trimmed(array.text);
+  encoding.base64 = true;
+  if (format == "appended") {
+    const auto offset = whole_numbers_of(attribute(array.tag, "offset", ""), 1, what).front();
+    if (offset < 0 || static_cast<std::uint64_t>(offset) > header.appended.size()) {
+      refuse(what, "its array begins beyond the file's end; fetch the file again");
+    }
+    stored = header.appended.substr(static_cast<std::size_t>(offset));
+    encoding.base64 = header.appended_base64;
+  } else if (format != "binary") {
+    refuse(what, "its array's format is '" + format + "'");
+  }
+  const std::uint64_t wanted = count * bytes_per_voxel(layout.type);
+  return values_of_bytes(vti_bytes(stored, encoding, wanted, what), layout, what);
+}
+
+std::string whole_file(const std::filesystem::path& path, const VoxelLimits& limits) {
+  ByteStream stream(path, Packing::plain);
+  const std::uint64_t bytes = stream.most_left();
+  const std::uint64_t limit = limits.max_bytes == 0 ? default_voxel_limit() : limits.max_bytes;
+  constexpr std::uint64_t always = std::uint64_t{1} << 20;
+  if (bytes > std::max(limit, always)) {
+    throw LimitExceeded(path.string() + ": the file has " + std::to_string(bytes) +
+                        " bytes, and the limit is " + std::to_string(limit) +
+                        "; raise --max-memory");
+  }
+  std::string text(bytes, '\0');
+  stream.read(std::as_writable_bytes(std::span(text)), "the file");
+  return text;
+}
+
+}  // namespace
+
+Volume read_vti(const std::filesystem::path& path, const FormatOptions& options,
+                const VoxelLimits& limits) {
+  const std::string what = path.string();
+  const std::string text = whole_file(path, limits);
+  const Header header = Parser(text, what).parse();
+  const Array& array = choose_array(header, options.array, what);
+  const std::string components = attribute(array.tag, "NumberOfComponents", "1");
+  if (components != "1") {
+    refuse(what, "holds " + components +
+                     " numbers per voxel (vector or multi-channel); take one "
+                     "channel");
+  }
+  VoxelLayout layout;
+  layout.type = type_of(attribute(array.tag, "type", ""), what);
+  const auto extent = extent_of(header, layout, what);
+  layout.endian = encoding_of(header, what).endian;
+  check_layout(layout, limits, what);
+  choose_frame(layout, options.frame, what);
+  Volume volume;
+  volume.dims = layout.dims;
+  volume.name = attribute(array.tag, "Name", "");
+  Placement placement;
+  if (!options.spacing) {
+    Vec3 lowest{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      lowest[axis] = static_cast<double>(extent[axis][0]);
+    placement = placement_of(header, lowest, what);
+  }
+  place(volume, placement, options.spacing, what);
+  volume.values = values_of(array, header, layout, what);
+  return volume;
+}
+
+}  // namespace isoloop
