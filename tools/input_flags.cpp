@@ -151,14 +151,6 @@ void add_convention_flags(CLI::App& command, LevelFlags& flags) {
       ->check(CLI::IsMember({"trilinear", "simple"}))
       ->type_name("WHICH")
       ->capture_default_str();
-  command
-      .add_option("--topology", flags.topology,
-                  "of the surface within cubes: trilinear is that of the trilinear interpolant, "
-                  "tunnels within cubes included; simple makes every part of a cube a ball")
-      ->check(CLI::IsMember({"trilinear", "simple"}))
-      ->type_name("WHICH")
-      ->capture_default_str();
-  command
 }
 
 void add_level_flags(CLI::App& command, LevelFlags& flags) {

@@ -39,7 +39,7 @@ struct LevelFlags {
   std::optional<double> iso;  // unit of the voxel values
   std::string inside;         // "above", "below" or empty: as the file suggests
   std::string topology = "trilinear";
-  std::string connectivity;  // of a mask's inside: "6", "18", "26", or empty: as `topology` says
+  std::string connectivity{};  // of a mask's inside: "6", "18", "26", or empty: as `topology` says
   bool open_boundary = false;
 };
 
