@@ -42,59 +42,52 @@ class StageClock {
   const Progress& progress_;
 };
 
-/// Everything that depends on the sides of the voxels and the shape of M alone.
+/// What depends on the sides of the voxels alone, and M.
 struct Cut {
-  Sides sides;
-  EdgeIndex edges;
+  std::unique_ptr<const Sides> sides;
+  std::unique_ptr<const EdgeIndex> edges;
   Surface surface;
 };
 
 Cut cut_volume(const AnyGridView& grid, const IsoLevel& level, const AnalysisOptions& options,
                bool with_graph) {
-  Sides sides = classify(grid, level, options.boundary, options.max_bytes);
-  EdgeIndex edges(sides);
-  check_memory("surface", surface_bytes(sides.lattice.vertex_count(), edges.count()),
+  Cut cut;
+  cut.sides = std::make_unique<Sides>(classify(grid, level, options.boundary, options.max_bytes));
+  cut.edges = std::make_unique<EdgeIndex>(*cut.sides);
+  check_memory("surface", surface_bytes(cut.sides->lattice.vertex_count(), cut.edges->count()),
                options.max_bytes);
-  Surface surface = extract_surface(grid, level, sides, edges, with_graph);
-  return {std::move(sides), std::move(edges), std::move(surface)};
+  cut.surface = extract_surface(grid, level, *cut.sides, *cut.edges, with_graph);
+  return cut;
 }
 
-struct Passes {
-  DualPass inside;
-  DualPass outside;
-};
-
-/// `at_once`: both sides at a time, which takes the memory of two.
-Passes run_passes(const Surface& surface, const GridComplex& inside, const GridComplex& outside,
-                  bool at_once) {
-  Passes passes;
-  const auto solve = [](const GridComplex& complex, DualPass& pass, const char* name) {
-    pass = dual_pass(complex);
-    if (!labels_are_consistent(complex, pass))
+/// Runs the dual pass on both sides; `at_once`: at a time, which takes the memory of two.
+void run_passes(const Surface& surface, Workings& workings, bool at_once) {
+  const auto solve = [](WorkedSide& side, const char* name) {
+    side.pass = dual_pass(*side.complex);
+    if (!labels_are_consistent(*side.complex, side.pass))
       throw SelfCheckFailed(std::string("the labels ") + name +
                             " do not sum to zero round an edge");
   };
-  const auto solve_inside = [&] { solve(inside, passes.inside, "inside"); };
-  const auto solve_outside = [&] { solve(outside, passes.outside, "outside"); };
+  const auto solve_inside = [&] { solve(workings.inside, "inside"); };
+  const auto solve_outside = [&] { solve(workings.outside, "outside"); };
   if (at_once) {
     tbb::parallel_invoke(solve_inside, solve_outside);
   } else {
     solve_inside();
     solve_outside();
   }
-  const auto in = static_cast<std::int64_t>(passes.inside.killing.size());
-  const auto out = static_cast<std::int64_t>(passes.outside.killing.size());
+  const auto in = static_cast<std::int64_t>(workings.inside.pass.killing.size());
+  const auto out = static_cast<std::int64_t>(workings.outside.pass.killing.size());
   if (in + out != surface.betti1() || (surface.boundary == Boundary::closed && in != out))
     throw SelfCheckFailed("the surface has " + std::to_string(surface.betti1()) +
                           " independent loops, but " + std::to_string(in) +
                           " generators survive inside and " + std::to_string(out) + " outside");
-  return passes;
 }
 
 /// Both engines ran under the same total order, so they must name the same killing pieces.
-void check_engines_agree(const std::vector<SurfacePair>& pairs, const Passes& passes) {
+void check_engines_agree(const std::vector<SurfacePair>& pairs, const Workings& workings) {
   for (const Side side : {Side::inside, Side::outside}) {
-    const DualPass& pass = side == Side::inside ? passes.inside : passes.outside;
+    const DualPass& pass = workings.on(side).pass;
     std::vector<std::uint32_t> of_pair;
     for (const SurfacePair& pair : pairs)
       if (pair.side == side) of_pair.push_back(pair.piece);
@@ -107,82 +100,51 @@ void check_engines_agree(const std::vector<SurfacePair>& pairs, const Passes& pa
   }
 }
 
-/// One side's borders and their classes, which say what each loop closes.
-struct BorderedSide {
-  KillingBorders borders;
-  Z2Basis classes;
-};
-
-BorderedSide border_of(const Surface& surface, const SurfaceClasses& classes,
-                       const GridComplex& complex, const DualPass& pass) {
-  BorderedSide side{killing_borders(complex, pass), {}};
-  const Side seen_from = side_of(kind_on(surface.boundary, complex.side()));
-  side.classes = border_classes(surface, classes, seen_from, side.borders);
-  return side;
+void find_borders(const Surface& surface, const SurfaceClasses& classes, WorkedSide& side) {
+  side.borders = killing_borders(*side.complex, side.pass);
+  const Side seen_from = side_of(kind_on(surface.boundary, side.complex->side()));
+  side.border_classes = border_classes(surface, classes, seen_from, side.borders);
 }
 
-/// What the passes leave to the search for loops.
-struct Solved {
-  const Surface& surface;
-  const GridComplex& inside;
-  const GridComplex& outside;
-  const Passes& passes;
-  const std::vector<std::uint32_t>& closest;
-};
-
-SurfaceClasses classes_of(const Solved& solved) {
-  if (solved.surface.boundary == Boundary::open) return surface_classes(solved.surface);
-  return surface_classes(solved.surface, solved.inside, solved.passes.inside, solved.outside,
-                         solved.passes.outside);
+SolvedSide solved(const WorkedSide& side) {
+  return {*side.complex, side.pass, side.borders, side.border_classes};
 }
 
-std::vector<Loop> loops_near_pieces(const Solved& solved, const SurfaceClasses& classes,
-                                    const BorderedSide& in, const BorderedSide& out) {
-  std::vector<Loop> loops =
-      loops_of_side(solved.surface, classes,
-                    {solved.inside, solved.passes.inside, in.borders, in.classes}, solved.closest);
-  std::vector<Loop> of_outside = loops_of_side(
-      solved.surface, classes, {solved.outside, solved.passes.outside, out.borders, out.classes},
-      solved.closest);
-  if (solved.surface.boundary == Boundary::open)
-    return merged_by_size(std::move(loops), std::move(of_outside));
-  std::move(of_outside.begin(), of_outside.end(), std::back_inserter(loops));
-  return loops;
-}
-
-/// Members as in Analysis.
-struct ProvedLoops {
-  std::vector<Loop> loops;
-  double least_handle_length = 0.0;
-  double least_tunnel_length = 0.0;
-};
-
-/// Finds and certifies the loops, and makes them as short as the options say.
-ProvedLoops prove_loops(const Solved& solved, const AnalysisOptions& options,
-                        const std::vector<SurfacePair>& pairs) {
-  const Surface& surface = solved.surface;
-  const SurfaceClasses classes = classes_of(solved);
-  const BorderedSide in = border_of(surface, classes, solved.inside, solved.passes.inside);
-  const BorderedSide out = border_of(surface, classes, solved.outside, solved.passes.outside);
-  ProvedLoops proved;
-  std::vector<Loop>& loops = proved.loops;
-  loops = options.engine == Engine::pair ? loops_of_pairs(surface, pairs)
-                                         : loops_near_pieces(solved, classes, in, out);
-  certify(surface, classes, loops);
-  if (options.tighten == Tighten::none || surface.boundary == Boundary::open) return proved;
-  const SideLoops handles{{loops.data(), loops.size() / 2}, in.classes};
-  const SideLoops tunnels{{loops.data() + loops.size() / 2, loops.size() / 2}, out.classes};
-  proved.least_handle_length = shorten_basis(surface, classes, handles, tunnels);
-  proved.least_tunnel_length = shorten_basis(surface, classes, tunnels, handles);
-  certify(surface, classes, loops);
-  if (options.tighten == Tighten::curve) straighten_loops(surface, classes, loops);
-  return proved;
-}
-
-std::uint64_t count_volume_triangles(const Cut& cut) {
+std::uint64_t count_volume_triangles(const Sides& sides, const EdgeIndex& edges) {
   const EdgeSizes no_sizes;  // counting asks for none
-  return fan_triangle_count(GridComplex(cut.sides, cut.edges, no_sizes, Side::inside)) +
-         fan_triangle_count(GridComplex(cut.sides, cut.edges, no_sizes, Side::outside));
+  return fan_triangle_count(GridComplex(sides, edges, no_sizes, Side::inside)) +
+         fan_triangle_count(GridComplex(sides, edges, no_sizes, Side::outside));
+}
+
+/// The loops of both sides, certified and tightened as the options say.
+std::vector<Loop> proved_loops(const Workings& workings, const AnalysisOptions& options,
+                               const std::vector<std::uint32_t>& closest, Analysis& analysis) {
+  const Surface& surface = analysis.surface;
+  const SurfaceClasses& classes = workings.classes;
+  const bool open = surface.boundary == Boundary::open;
+  std::vector<Loop> loops;
+  if (options.engine == Engine::pair) {
+    loops = loops_of_pairs(surface, analysis.pairs);
+  } else {
+    loops = loops_of_side(surface, classes, solved(workings.inside), closest);
+    std::vector<Loop> tunnels = loops_of_side(surface, classes, solved(workings.outside), closest);
+    if (open) {
+      loops = merged_by_size(std::move(loops), std::move(tunnels));
+    } else {
+      std::move(tunnels.begin(), tunnels.end(), std::back_inserter(loops));
+    }
+  }
+  certify(surface, classes, loops);
+  if (options.tighten != Tighten::none && !open) {
+    const SideLoops handles{{loops.data(), loops.size() / 2}, workings.inside.border_classes};
+    const SideLoops tunnels{{loops.data() + loops.size() / 2, loops.size() / 2},
+                            workings.outside.border_classes};
+    analysis.least_handle_length = shorten_basis(surface, classes, handles, tunnels);
+    analysis.least_tunnel_length = shorten_basis(surface, classes, tunnels, handles);
+    certify(surface, classes, loops);
+    if (options.tighten == Tighten::curve) straighten_loops(surface, classes, loops);
+  }
+  return loops;
 }
 
 }  // namespace
@@ -199,46 +161,65 @@ Analysis count_topology(const AnyGridView& grid, const IsoLevel& level,
 
 Analysis find_loops(const AnyGridView& grid, const IsoLevel& level,
                     const AnalysisOptions& options) {
+  return work_out_loops(grid, level, options).analysis;
+}
+
+Workings work_out_loops(const AnyGridView& grid, const IsoLevel& level,
+                        const AnalysisOptions& options) {
   StageClock clock(options.progress);
-  Analysis analysis;
+  Workings workings;
+  Analysis& analysis = workings.analysis;
   StageSeconds& seconds = analysis.seconds;
-  Cut cut = clock.run("surface", 0.0, seconds.surface,
-                      [&] { return cut_volume(grid, level, options, true); });
-  const Surface& surface = cut.surface;
+  analysis.surface = clock.run("surface", 0.0, seconds.surface, [&] {
+    Cut cut = cut_volume(grid, level, options, true);
+    workings.sides = std::move(cut.sides);
+    workings.edges = std::move(cut.edges);
+    return std::move(cut.surface);
+  });
+  const Sides& sides = *workings.sides;
+  const EdgeIndex& edges = *workings.edges;
+  const Surface& surface = analysis.surface;
   analysis.betti = betti_numbers(surface);
-  if (surface.betti1() > 0) {
-    const std::uint64_t lattice = cut.sides.lattice.vertex_count();
-    check_memory("closest", closest_bytes(lattice, surface.points.size()), options.max_bytes);
-    const std::vector<std::uint32_t> closest = clock.run("closest", 0.05, seconds.closest, [&] {
-      return closest_surface_vertices(cut.sides, cut.edges, surface);
+  if (options.count_volume_triangles && !sides.empty())
+    analysis.volume_triangles = count_volume_triangles(sides, edges);
+  if (surface.betti1() == 0) return workings;
+  const std::uint64_t lattice = sides.lattice.vertex_count();
+  check_memory("closest", closest_bytes(lattice, surface.points.size()), options.max_bytes);
+  const std::vector<std::uint32_t> closest = clock.run("closest", 0.05, seconds.closest, [&] {
+    return closest_surface_vertices(sides, edges, surface);
+  });
+  check_memory("sizes", sizes_bytes(lattice, surface.points.size()), options.max_bytes);
+  workings.sizes = clock.run("sizes", 0.1, seconds.sizes, [&] {
+    return std::make_unique<EdgeSizes>(
+        geodesic_sizes(sides, edges, surface, closest, options.geodesic));
+  });
+  check_memory("pass", pass_bytes(lattice, surface.points.size(), 1), options.max_bytes);
+  const bool at_once = pass_bytes(lattice, surface.points.size(), 2) <= options.max_bytes;
+  for (const Side side : {Side::inside, Side::outside})
+    (side == Side::inside ? workings.inside : workings.outside).complex =
+        std::make_unique<GridComplex>(sides, edges, *workings.sizes, side);
+  const GridComplex& inside = *workings.inside.complex;
+  const GridComplex& outside = *workings.outside.complex;
+  clock.run("pass", 0.5, seconds.pass, [&] {
+    run_passes(surface, workings, at_once);
+    return true;
+  });
+  if (options.engine == Engine::pair)
+    analysis.pairs = clock.run("pair", 0.7, seconds.pair, [&] {
+      std::vector<SurfacePair> pairs = pair_simplices(surface, inside, outside, options.pair);
+      if (orders_by_size(options.pair.refinement)) check_engines_agree(pairs, workings);
+      return pairs;
     });
-    check_memory("sizes", sizes_bytes(lattice, surface.points.size()), options.max_bytes);
-    const EdgeSizes sizes = clock.run("sizes", 0.1, seconds.sizes, [&] {
-      return geodesic_sizes(cut.sides, cut.edges, surface, closest, options.geodesic);
-    });
-    check_memory("pass", pass_bytes(lattice, surface.points.size(), 1), options.max_bytes);
-    const bool at_once = pass_bytes(lattice, surface.points.size(), 2) <= options.max_bytes;
-    const GridComplex inside(cut.sides, cut.edges, sizes, Side::inside);
-    const GridComplex outside(cut.sides, cut.edges, sizes, Side::outside);
-    const Passes passes = clock.run("pass", 0.5, seconds.pass,
-                                    [&] { return run_passes(surface, inside, outside, at_once); });
-    if (options.engine == Engine::pair)
-      analysis.pairs = clock.run("pair", 0.7, seconds.pair, [&] {
-        std::vector<SurfacePair> pairs = pair_simplices(surface, inside, outside, options.pair);
-        if (orders_by_size(options.pair.refinement)) check_engines_agree(pairs, passes);
-        return pairs;
-      });
-    const Solved solved{surface, inside, outside, passes, closest};
-    ProvedLoops proved = clock.run("loops", 0.8, seconds.loops,
-                                   [&] { return prove_loops(solved, options, analysis.pairs); });
-    analysis.loops = std::move(proved.loops);
-    analysis.least_handle_length = proved.least_handle_length;
-    analysis.least_tunnel_length = proved.least_tunnel_length;
-  }
-  if (options.count_volume_triangles && !cut.sides.empty())
-    analysis.volume_triangles = count_volume_triangles(cut);
-  analysis.surface = std::move(cut.surface);
-  return analysis;
+  analysis.loops = clock.run("loops", 0.8, seconds.loops, [&] {
+    workings.classes = surface.boundary == Boundary::open
+                           ? surface_classes(surface)
+                           : surface_classes(surface, inside, workings.inside.pass, outside,
+                                             workings.outside.pass);
+    find_borders(surface, workings.classes, workings.inside);
+    find_borders(surface, workings.classes, workings.outside);
+    return proved_loops(workings, options, closest, analysis);
+  });
+  return workings;
 }
 
 }  // namespace isoloop

@@ -2,16 +2,24 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/betti.h"
+#include "core/certificate.h"
+#include "core/dual_pass.h"
+#include "core/edge_index.h"
 #include "core/geodesic_size.h"
 #include "core/grid.h"
+#include "core/grid_complex.h"
+#include "core/killing_border.h"
 #include "core/loops.h"
 #include "core/memory_budget.h"
 #include "core/pair.h"
 #include "core/progress.h"
+#include "core/sides.h"
 #include "core/surface.h"
+#include "core/z2_basis.h"
 
 namespace isoloop {
 
@@ -58,6 +66,29 @@ struct Analysis {
   StageSeconds seconds;
 };
 
+/// One side of M with its labels, the borders of the surfaces that these span, and the borders'
+/// classes, which say what each loop closes.
+struct WorkedSide {
+  std::unique_ptr<GridComplex> complex;
+  DualPass pass;
+  KillingBorders borders;
+  Z2Basis border_classes;
+};
+
+/// An analysis and all that it was made with, for what goes on from the loops. Where M has no loops
+/// there are no complexes. Sides, edges and sizes stay where they are: the complexes refer to them.
+struct Workings {
+  std::unique_ptr<const Sides> sides;
+  std::unique_ptr<const EdgeIndex> edges;
+  std::unique_ptr<const EdgeSizes> sizes;
+  WorkedSide inside;
+  WorkedSide outside;
+  SurfaceClasses classes;
+  Analysis analysis;
+
+  const WorkedSide& on(Side side) const { return side == Side::inside ? inside : outside; }
+};
+
 /// Both throw LimitExceeded before a stage that would take more than options.max_bytes.
 
 /// The surface and the counts alone: no sizes, no loops (`seconds` past surface stay 0).
@@ -69,5 +100,9 @@ Analysis count_topology(const AnyGridView& grid, const IsoLevel& level,
 /// and SelfCheckFailed if any proof fails: no unproved loop is ever returned.
 Analysis find_loops(const AnyGridView& grid, const IsoLevel& level,
                     const AnalysisOptions& options = {});
+
+/// The same, with its workings.
+Workings work_out_loops(const AnyGridView& grid, const IsoLevel& level,
+                        const AnalysisOptions& options = {});
 
 }  // namespace isoloop

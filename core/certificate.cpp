@@ -100,16 +100,6 @@ class Turns {
   std::vector<Turn> turns_;
 };
 
-constexpr auto no_edge = static_cast<std::uint32_t>(-1);
-
-std::uint32_t edge_between(const EdgeGraph& graph, std::uint32_t from, std::uint32_t to) {
-  std::uint32_t found = no_edge;
-  graph.for_each_out_edge(from, [&](std::uint32_t target, std::uint32_t edge) {
-    if (target == to) found = edge;
-  });
-  return found;
-}
-
 /// A triangle's corner beyond a wall is one turn farther: adds the wall's label to both edges
 /// there.
 void pass_walls(const Surface& surface, const LabelledSide& side, SurfaceClasses& classes) {

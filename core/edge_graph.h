@@ -29,4 +29,15 @@ struct EdgeGraph {
   }
 };
 
+inline constexpr auto no_edge = static_cast<std::uint32_t>(-1);
+
+/// The number of the directed edge, or no_edge.
+inline std::uint32_t edge_between(const EdgeGraph& graph, std::uint32_t from, std::uint32_t to) {
+  std::uint32_t found = no_edge;
+  graph.for_each_out_edge(from, [&](std::uint32_t target, std::uint32_t edge) {
+    if (target == to) found = edge;
+  });
+  return found;
+}
+
 }  // namespace isoloop

@@ -76,6 +76,10 @@ class GridComplex {
   /// The grid vertices at the piece's corners on this side.
   ShortList<std::uint32_t, 4> corners(std::uint32_t piece) const;
 
+  /// The piece of the face, and the cell of the cube, at a corner on this side.
+  std::uint32_t piece_at(std::uint32_t face, std::uint32_t corner) const;
+  std::uint32_t cell_at(std::uint32_t cube, std::uint32_t corner) const;
+
   const Lattice& lattice() const { return sides_.lattice; }
   Side side() const { return side_; }
 
@@ -120,8 +124,6 @@ class GridComplex {
   unsigned corners_on_side(std::uint32_t face) const;
   bool is_split(std::uint32_t face, unsigned on_side) const;
   Piece describe(std::uint32_t piece) const;
-  std::uint32_t piece_at(std::uint32_t face, std::uint32_t corner) const;
-  std::uint32_t cell_at(std::uint32_t cube, std::uint32_t corner) const;
 
   const Sides& sides_;
   const EdgeIndex& edges_;

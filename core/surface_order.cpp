@@ -12,14 +12,6 @@ namespace {
 
 constexpr auto none = static_cast<std::uint32_t>(-1);
 
-std::uint32_t edge_between(const EdgeGraph& graph, std::uint32_t from, std::uint32_t to) {
-  std::uint32_t found = none;
-  graph.for_each_out_edge(from, [&](std::uint32_t target, std::uint32_t edge) {
-    if (target == to) found = edge;
-  });
-  return found;
-}
-
 /// Undirected edges in the order of their lower vertices, each with the two triangles on it, of
 /// which one is `none` on M's border.
 struct Edges {

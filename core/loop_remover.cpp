@@ -1,0 +1,215 @@
+#include "core/loop_remover.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include "core/certificate.h"
+#include "core/level.h"
+
+namespace isoloop {
+namespace {
+
+constexpr int value_styles = 3;
+constexpr std::size_t patience = 6000;  // voxels of the sets that may fail before the last resort
+
+}  // namespace
+
+LoopSite site_of(const Workings& workings, const Loop& loop) {
+  const Surface& surface = workings.analysis.surface;
+  const Side side = side_of(loop.kind);
+  LoopSite site;
+  site.kind = loop.kind;
+  site.other =
+      split_class(workings.classes, side, class_of(surface, workings.classes, loop.curves)).other;
+  site.crossing = workings.on(side).border_classes.coordinates(site.other).value();
+  site.length = loop.length;
+  std::map<std::uint32_t, std::vector<Curve>> by_component;
+  for (const Curve& curve : loop.curves)
+    by_component[surface.component_of_vertex[curve.front()]].push_back(curve);
+  std::size_t nontrivial = 0;
+  for (const auto& [component, curves] : by_component)
+    if (!class_of(surface, workings.classes, curves).empty()) ++nontrivial;
+  site.spans_components = nontrivial > 1;
+  for (const Curve& curve : loop.curves)
+    for (const std::uint32_t vertex : curve)
+      if (vertex < surface.grid_edges.size()) site.edges.push_back(surface.grid_edges[vertex]);
+  return site;
+}
+
+bool cross_oddly(const LoopSite& a, const LoopSite& b) {
+  GeneratorSet both;
+  std::set_intersection(a.crossing.begin(), a.crossing.end(), b.other.begin(), b.other.end(),
+                        std::back_inserter(both));
+  return both.size() % 2 == 1;
+}
+
+LoopRemover::LoopRemover(const Workings& workings, const IsoLevel& level, VoxelValues& values)
+    : workings_(workings),
+      level_(level),
+      values_(values),
+      genus_(workings.analysis.surface.genus()),
+      betti_(workings.analysis.betti),
+      changed_(workings.sides->lattice.vertex_count()),
+      fixed_(workings.sides->lattice.vertex_count()) {
+  const Lattice& lattice = workings.sides->lattice;
+  for (std::uint32_t v = 0; v < lattice.vertex_count(); ++v) {
+    if ((workings.sides->cubes[v] & Sides::on_border) == 0) continue;
+    const auto p = lattice.position(v);
+    for (std::size_t a = 0; a < 3; ++a) {
+      const std::int64_t at = lattice.first[a] + p[a];
+      if (at < 0 || at >= values.dims()[a]) fixed_[v] = true;
+    }
+  }
+}
+
+MembraneFinder& LoopRemover::finder(Side side) {
+  std::optional<MembraneFinder>& made = side == Side::inside ? inside_ : outside_;
+  if (!made) {
+    const WorkedSide& worked = workings_.on(side);
+    made.emplace(*workings_.sides, *worked.complex, worked.pass);
+  }
+  return *made;
+}
+
+std::size_t LoopRemover::voxel_of(std::uint32_t vertex) const {
+  const Lattice& lattice = workings_.sides->lattice;
+  const auto p = lattice.position(vertex);
+  const auto along = [&](std::size_t a) {
+    return static_cast<std::size_t>(lattice.first[a] + p[a]);
+  };
+  const Index3& dims = values_.dims();
+  return along(0) + static_cast<std::size_t>(dims[0]) *
+                        (along(1) + static_cast<std::size_t>(dims[1]) * along(2));
+}
+
+double LoopRemover::magnitude_of(std::size_t voxel) const {
+  return std::abs(level_of(values_.at(voxel), level_));
+}
+
+std::optional<std::vector<VoxelChange>> LoopRemover::propose(const LoopSite& loop) {
+  if (loop.spans_components) return std::nullopt;
+  const Side side = side_of(loop.kind);
+  const MembraneQuery query{loop.crossing, loop.edges, fixed_, changed_};
+  const Vec3& spacing = workings_.analysis.surface.spacing;
+  const double step = std::min({spacing[0], spacing[1], spacing[2]});
+  // No point of a disc that spans a round loop is farther from it than this.
+  const double round = loop.length / (2.0 * std::numbers::pi * step);
+  std::set<std::vector<std::uint32_t>> tried;
+  std::size_t spent = 0;
+  for (const bool clear_islands : {false, true})
+    for (const double share : {1.0, 1.6, 0.6, 0.3})
+      for (const bool from_far_side : {false, true}) {
+        if (spent > patience) break;
+        const auto reach = static_cast<std::uint32_t>(std::ceil(share * round)) + 1;
+        const auto thin = finder(side).thin(query, {reach, from_far_side, clear_islands});
+        if (!thin || !tried.insert(*thin).second) continue;
+        spent += thin->size();
+        if (auto change = passing(side, *thin)) return change;
+      }
+  std::vector<std::uint32_t> spanned = finder(side).spanned(query);
+  for (int dilations = 0; dilations < 2; ++dilations) {
+    if (auto change = passing(side, spanned)) return change;
+    spanned = dilated(side, spanned);
+  }
+  return std::nullopt;
+}
+
+/// The vertices and their neighbours on the side.
+std::vector<std::uint32_t> LoopRemover::dilated(Side side,
+                                                const std::vector<std::uint32_t>& vertices) const {
+  const Lattice& lattice = workings_.sides->lattice;
+  std::vector<std::uint32_t> all = vertices;
+  for (const std::uint32_t vertex : vertices) {
+    const auto p = lattice.position(vertex);
+    for (std::size_t a = 0; a < 3; ++a)
+      for (const bool forward : {false, true}) {
+        if (forward ? p[a] + 1 == lattice.dims[a] : p[a] == 0) continue;
+        const std::uint32_t next =
+            forward ? vertex + lattice.stride[a] : vertex - lattice.stride[a];
+        if (workings_.sides->is_on(side, next) && !changed_[next] && !fixed_[next])
+          all.push_back(next);
+      }
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+std::optional<std::vector<VoxelChange>> LoopRemover::passing(
+    Side side, const std::vector<std::uint32_t>& vertices) {
+  if (vertices.empty()) return std::nullopt;
+  for (int style = 0; style < value_styles; ++style) {
+    auto change = values_for(side, vertices, style);
+    if (change && removes_one(*change)) return change;
+  }
+  return std::nullopt;
+}
+
+/// Values on the other side. Style 0: mirrored about iso, but no farther off than is usual for the
+/// other side's voxels near by; 1: as far off as any voxel near by; 2: next to iso.
+std::optional<std::vector<VoxelChange>> LoopRemover::values_for(
+    Side side, const std::vector<std::uint32_t>& vertices, int style) const {
+  const Lattice& lattice = workings_.sides->lattice;
+  const Index3& dims = values_.dims();
+  std::vector<double> beyond;  // magnitudes on the other side
+  double most = 0.0;
+  for (const std::uint32_t vertex : vertices) {
+    const auto p = lattice.position(vertex);
+    for (int n = 0; n < 27; ++n) {
+      const Index3 q{lattice.first[0] + p[0] + n % 3 - 1, lattice.first[1] + p[1] + n / 3 % 3 - 1,
+                     lattice.first[2] + p[2] + n / 9 - 1};
+      if (q[0] < 0 || q[1] < 0 || q[2] < 0 || q[0] >= dims[0] || q[1] >= dims[1] || q[2] >= dims[2])
+        continue;
+      const auto voxel = static_cast<std::size_t>(q[0] + dims[0] * (q[1] + dims[1] * q[2]));
+      const double value_level = level_of(values_.at(voxel), level_);
+      most = std::max(most, std::abs(value_level));
+      if ((value_level >= 0.0) != (side == Side::inside)) beyond.push_back(std::abs(value_level));
+    }
+  }
+  double usual = most;
+  if (!beyond.empty()) {
+    const auto middle = beyond.begin() + static_cast<std::ptrdiff_t>(beyond.size() / 2);
+    std::nth_element(beyond.begin(), middle, beyond.end());
+    usual = *middle;
+  }
+  std::vector<VoxelChange> change;
+  for (const std::uint32_t vertex : vertices) {
+    const std::size_t voxel = voxel_of(vertex);
+    const double mirrored = std::clamp(magnitude_of(voxel), 0.1 * usual, usual);
+    const double magnitude = style == 0 ? mirrored : style == 1 ? most : 0.01 * usual;
+    const auto after = values_.nearest(magnitude, side == Side::outside, level_);
+    if (!after) return std::nullopt;
+    change.push_back({voxel, values_.at(voxel), *after});
+  }
+  return change;
+}
+
+bool LoopRemover::removes_one(const std::vector<VoxelChange>& change) {
+  for (const VoxelChange& voxel : change) values_.set(voxel.voxel, voxel.after);
+  const Analysis counted = count_topology(values_.view(), level_);
+  for (const VoxelChange& voxel : change) values_.set(voxel.voxel, voxel.before);
+  return counted.surface.genus() == genus_ - 1 && counted.betti.b0 == betti_.b0 &&
+         counted.betti.b2 == betti_.b2;
+}
+
+void LoopRemover::apply(const std::vector<VoxelChange>& change) {
+  const Lattice& lattice = workings_.sides->lattice;
+  const Index3& dims = values_.dims();
+  for (const VoxelChange& voxel : change) {
+    values_.set(voxel.voxel, voxel.after);
+    const auto at = static_cast<std::int64_t>(voxel.voxel);
+    const Index3 p{at % dims[0], at / dims[0] % dims[1], at / dims[0] / dims[1]};
+    const auto along = [&](std::size_t a) {
+      return static_cast<std::uint32_t>(p[a] - lattice.first[a]);
+    };
+    changed_[lattice.vertex(along(0), along(1), along(2))] = true;
+  }
+  --genus_;
+}
+
+}  // namespace isoloop

@@ -1,0 +1,257 @@
+#include "core/vertex_cut.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "core/disjoint_sets.h"
+
+namespace isoloop {
+namespace {
+
+constexpr std::int32_t endless = 1 << 30;
+constexpr auto unreached = static_cast<std::uint32_t>(-1);
+constexpr std::uint32_t small_network = 20'000;  // nodes that can be cut; up to this, in one go
+constexpr std::uint32_t band = 4;                // steps; two from vertex to vertex
+
+/// A flow network: arcs in pairs, 2 k and 2 k + 1, each the way back of the other.
+class Flow {
+ public:
+  explicit Flow(std::uint32_t nodes) : nodes_(nodes) {}
+
+  void add(std::uint32_t from, std::uint32_t to, std::int32_t there, std::int32_t back) {
+    from_.push_back(from);
+    from_.push_back(to);
+    room_.push_back(there);
+    room_.push_back(back);
+  }
+
+  /// Sends as much as possible from source to sink.
+  void fill(std::uint32_t source, std::uint32_t sink) {
+    sort_arcs();
+    while (measure(source, sink)) {
+      next_ = first_;
+      while (augment(source, sink)) {
+      }
+    }
+  }
+
+  /// After fill(): whether more could flow from the source to the node.
+  bool reached(std::uint32_t node) const { return level_[node] != unreached; }
+
+ private:
+  std::uint32_t target(std::uint32_t arc) const { return from_[arc ^ 1U]; }
+
+  void sort_arcs() {
+    first_.assign(nodes_ + 1, 0);
+    for (const std::uint32_t from : from_) ++first_[from + 1];
+    for (std::uint32_t n = 0; n < nodes_; ++n) first_[n + 1] += first_[n];
+    std::vector<std::uint32_t> cursor(first_.begin(), first_.end() - 1);
+    arcs_.resize(from_.size());
+    for (std::uint32_t arc = 0; arc < from_.size(); ++arc) arcs_[cursor[from_[arc]]++] = arc;
+  }
+
+  /// Steps from the source through arcs with room; false if there is no way to the sink.
+  bool measure(std::uint32_t source, std::uint32_t sink) {
+    level_.assign(nodes_, unreached);
+    level_[source] = 0;
+    queue_.assign(1, source);
+    for (std::size_t i = 0; i < queue_.size(); ++i) {
+      const std::uint32_t node = queue_[i];
+      for (std::uint32_t k = first_[node]; k < first_[node + 1]; ++k) {
+        const std::uint32_t to = target(arcs_[k]);
+        if (room_[arcs_[k]] == 0 || level_[to] != unreached) continue;
+        level_[to] = level_[node] + 1;
+        queue_.push_back(to);
+      }
+    }
+    return level_[sink] != unreached;
+  }
+
+  /// Sends one unit along a shortest way; false if no more is left.
+  bool augment(std::uint32_t source, std::uint32_t sink) {
+    path_.clear();
+    std::uint32_t node = source;
+    while (node != sink) {
+      std::uint32_t& k = next_[node];
+      while (k < first_[node + 1] &&
+             (room_[arcs_[k]] == 0 || level_[target(arcs_[k])] != level_[node] + 1))
+        ++k;
+      if (k < first_[node + 1]) {
+        path_.push_back(arcs_[k]);
+        node = target(arcs_[k]);
+      } else {
+        if (path_.empty()) return false;
+        node = from_[path_.back()];
+        path_.pop_back();
+        ++next_[node];
+      }
+    }
+    for (const std::uint32_t arc : path_) {
+      --room_[arc];
+      ++room_[arc ^ 1U];
+    }
+    return true;
+  }
+
+  std::uint32_t nodes_;
+  std::vector<std::uint32_t> from_;   // by arc
+  std::vector<std::int32_t> room_;    // by arc
+  std::vector<std::uint32_t> first_;  // by node: in arcs_, and the end
+  std::vector<std::uint32_t> arcs_;   // by the node that they leave
+  std::vector<std::uint32_t> level_;
+  std::vector<std::uint32_t> next_;
+  std::vector<std::uint32_t> queue_;
+  std::vector<std::uint32_t> path_;
+};
+
+/// The network with all that no cut can part in one node.
+class Banded {
+ public:
+  Banded(const std::vector<bool>& cuttable, const std::vector<std::array<std::uint32_t, 2>>& joins)
+      : cuttable_(cuttable), whole_(static_cast<std::uint32_t>(cuttable.size())) {
+    for (const auto& [a, b] : joins)
+      if (!cuttable[a] && !cuttable[b]) whole_.unite(a, b);
+    whole_.flatten();
+    source_ = node(CutNetwork::source);
+    sink_ = node(CutNetwork::sink);
+    first_.assign(cuttable.size() + 1, 0);
+    const auto for_each_join = [&](const auto& visit) {
+      for (const auto& [a, b] : joins) {
+        if (!cuttable[a] && !cuttable[b]) continue;
+        visit(node(a), node(b));
+        visit(node(b), node(a));
+      }
+    };
+    for_each_join([&](std::uint32_t a, std::uint32_t) { ++first_[a + 1]; });
+    for (std::size_t n = 0; n < cuttable.size(); ++n) first_[n + 1] += first_[n];
+    std::vector<std::uint32_t> cursor(first_.begin(), first_.end() - 1);
+    to_.resize(first_.back());
+    for_each_join([&](std::uint32_t a, std::uint32_t b) { to_[cursor[a]++] = b; });
+  }
+
+  bool can_be_cut() const { return source_ != sink_; }
+
+  /// The smallest of the layers round the source, nearest to the source.
+  void start() {
+    const std::vector<std::uint32_t> steps = steps_from({source_}, unreached);
+    const std::uint32_t last = steps[sink_];
+    before_.assign(steps.size(), false);
+    cut_.clear();
+    if (last == unreached) return;  // parted as it is
+    std::vector<std::uint32_t> size(last + 1);
+    for (std::size_t n = 0; n < steps.size(); ++n)
+      if (cuttable_[n] && steps[n] < size.size()) ++size[steps[n]];
+    // Nodes that can be cut lie at odd steps: all their neighbours are others.
+    std::uint32_t best = 1;
+    for (std::uint32_t k = 1; k < size.size(); k += 2)
+      if (size[k] < size[best]) best = k;
+    for (std::uint32_t n = 0; n < steps.size(); ++n) {
+      before_[n] = steps[n] < best;
+      if (cuttable_[n] && steps[n] == best) cut_.push_back(n);
+    }
+  }
+
+  /// The least cut within `width` steps of the present one.
+  void improve(std::uint32_t width) {
+    std::vector<std::uint32_t> place(cuttable_.size(), unreached);
+    std::vector<std::uint32_t> inner{source_, sink_};
+    const auto add = [&](std::uint32_t n) {
+      place[n] = static_cast<std::uint32_t>(inner.size());
+      inner.push_back(n);
+    };
+    place[source_] = 0;
+    place[sink_] = 1;
+    const std::vector<std::uint32_t> steps = steps_from(cut_, width);
+    for (std::uint32_t n = 0; n < steps.size(); ++n)
+      if (steps[n] <= width && place[n] == unreached) add(n);
+    const auto count = static_cast<std::uint32_t>(inner.size());
+    std::uint32_t nodes = count;
+    std::vector<std::uint32_t> way_out(count);
+    for (std::uint32_t i = 0; i < count; ++i) way_out[i] = cuttable_[inner[i]] ? nodes++ : i;
+    Flow flow(nodes);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const std::uint32_t n = inner[i];
+      if (cuttable_[n]) flow.add(i, way_out[i], 1, 0);
+      if (i < 2) continue;
+      bool to_source = false;
+      bool to_sink = false;
+      for (std::uint32_t k = first_[n]; k < first_[n + 1]; ++k) {
+        const std::uint32_t other = to_[k];
+        if (place[other] >= 2 && place[other] != unreached) {
+          flow.add(way_out[i], place[other], endless, 0);
+        } else if (place[other] == 0 || (place[other] == unreached && before_[other])) {
+          to_source = true;
+        } else {
+          to_sink = true;
+        }
+      }
+      if (to_source) flow.add(0, i, endless, 0);
+      if (to_sink) flow.add(way_out[i], 1, endless, 0);
+    }
+    flow.fill(0, 1);
+    cut_.clear();
+    for (std::uint32_t i = 2; i < count; ++i) {
+      before_[inner[i]] = flow.reached(i) && (way_out[i] == i || flow.reached(way_out[i]));
+      if (way_out[i] != i && flow.reached(i) && !flow.reached(way_out[i])) cut_.push_back(inner[i]);
+    }
+  }
+
+  const std::vector<std::uint32_t>& cut() const { return cut_; }
+
+ private:
+  std::uint32_t node(std::uint32_t n) const { return cuttable_[n] ? n : whole_.root(n); }
+
+  std::vector<std::uint32_t> steps_from(const std::vector<std::uint32_t>& start,
+                                        std::uint32_t most) const {
+    std::vector<std::uint32_t> steps(cuttable_.size(), unreached);
+    std::vector<std::uint32_t> queue = start;
+    for (const std::uint32_t n : start) steps[n] = 0;
+    for (std::size_t i = 0; i < queue.size(); ++i) {
+      const std::uint32_t n = queue[i];
+      if (steps[n] == most) break;
+      for (std::uint32_t k = first_[n]; k < first_[n + 1]; ++k) {
+        if (steps[to_[k]] != unreached) continue;
+        steps[to_[k]] = steps[n] + 1;
+        queue.push_back(to_[k]);
+      }
+    }
+    return steps;
+  }
+
+  const std::vector<bool>& cuttable_;
+  DisjointSets whole_;
+  std::uint32_t source_ = 0;
+  std::uint32_t sink_ = 0;
+  std::vector<std::uint32_t> first_;  // by node: in to_, and the end
+  std::vector<std::uint32_t> to_;
+  std::vector<bool> before_;        // by node: on the source's side of the cut
+  std::vector<std::uint32_t> cut_;  // ascending
+};
+
+}  // namespace
+
+std::uint32_t CutNetwork::add_node(bool cuttable) {
+  cuttable_.push_back(cuttable);
+  return static_cast<std::uint32_t>(cuttable_.size() - 1);
+}
+
+void CutNetwork::join(std::uint32_t a, std::uint32_t b) { joins_.push_back({a, b}); }
+
+std::optional<std::vector<std::uint32_t>> CutNetwork::least_cut() const {
+  Banded network(cuttable_, joins_);
+  if (!network.can_be_cut()) return std::nullopt;
+  network.start();
+  const auto size =
+      static_cast<std::uint32_t>(std::count(cuttable_.begin(), cuttable_.end(), true));
+  if (size <= small_network) {
+    network.improve(unreached - 1);
+    return network.cut();
+  }
+  for (std::size_t before = network.cut().size() + 1; network.cut().size() < before;) {
+    before = network.cut().size();
+    network.improve(band);
+  }
+  return network.cut();
+}
+
+}  // namespace isoloop

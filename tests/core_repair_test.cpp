@@ -1,0 +1,134 @@
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/errors.h"
+#include "core/repair.h"
+#include "tests/core_fixture.h"
+#include "tests/random_volumes.h"
+
+namespace isoloop {
+namespace {
+
+using testing::SmallVolume;
+using testing::zero_level;
+
+SmallVolume repaired(const SmallVolume& volume, const Repair& repair) {
+  SmallVolume result = volume;
+  for (const VoxelChange& change : repair.changes) {
+    EXPECT_EQ(result.values[change.voxel], change.before);
+    result.values[change.voxel] = change.after;
+  }
+  return result;
+}
+
+/// Checks a repair against a count of its own of the repaired volume.
+void expect_genus(const SmallVolume& volume, const Repair& repair, std::int64_t genus) {
+  const Analysis before = count_topology(volume.view(), zero_level);
+  const Analysis after = count_topology(repaired(volume, repair).view(), zero_level);
+  EXPECT_EQ(after.surface.genus(), genus);
+  EXPECT_EQ(after.betti.b0, before.betti.b0);
+  EXPECT_EQ(after.betti.b2, before.betti.b2);
+  EXPECT_EQ(repair.after.surface.genus(), genus);
+  EXPECT_EQ(static_cast<std::int64_t>(repair.removals.size()), before.surface.genus() - genus);
+  EXPECT_EQ(repair.after.loops.size(), static_cast<std::size_t>(2 * genus));
+}
+
+TEST(Repair, CutsATorusOpenOrFillsItsHole) {
+  const SmallVolume volume = testing::torus({24, 24, 14});
+  const Repair cut = repair_loops(volume.view(), zero_level, {.loops = {{LoopKind::handle, 1}}});
+  expect_genus(volume, cut, 0);
+  EXPECT_EQ(cut.added_voxels, 0);
+  EXPECT_EQ(cut.removed_voxels, static_cast<std::int64_t>(cut.changes.size()));
+  EXPECT_EQ(cut.removals[0].action, RepairAction::cut);
+  const Repair filled = repair_loops(volume.view(), zero_level, {.loops = {{LoopKind::tunnel, 1}}});
+  expect_genus(volume, filled, 0);
+  EXPECT_EQ(filled.removed_voxels, 0);
+  EXPECT_EQ(filled.added_voxels, static_cast<std::int64_t>(filled.changes.size()));
+  EXPECT_EQ(filled.removals[0].action, RepairAction::fill);
+}
+
+TEST(Repair, RemovesEachLoopOfRandomVolumesAndNoOther) {
+  for (std::uint32_t seed = 0; seed < 3; ++seed) {
+    const SmallVolume volume = testing::smooth_noise({16, 14, 12}, seed, 2);
+    const Analysis before = find_loops(volume.view(), zero_level);
+    for (const Loop& loop : before.loops) {
+      SCOPED_TRACE("seed " + std::to_string(seed) + " " + name_of(loop.kind) + " " +
+                   std::to_string(loop.id));
+      const Repair repair =
+          repair_loops(volume.view(), zero_level, {.loops = {{loop.kind, loop.id}}});
+      expect_genus(volume, repair, before.surface.genus() - 1);
+    }
+  }
+}
+
+TEST(Repair, ReachesGenusZeroOnRandomVolumes) {
+  for (std::uint32_t seed = 0; seed < 30; ++seed) {
+    SCOPED_TRACE(seed);
+    const SmallVolume volume =
+        testing::smooth_noise({16, 17, 18}, seed, 2 + static_cast<int>(seed % 2));
+    expect_genus(volume, repair_loops(volume.view(), zero_level, {.genus = 0}), 0);
+  }
+}
+
+TEST(Repair, TwiceIsTheSameAsOnce) {
+  for (const RepairRequest& request :
+       {RepairRequest{.fill_tunnels = 9.0}, RepairRequest{.cut_handles = 9.0},
+        RepairRequest{.either = 9.0}, RepairRequest{.genus = 3}}) {
+    const SmallVolume volume = testing::smooth_noise({18, 18, 18}, 5, 3);
+    const Repair once = repair_loops(volume.view(), zero_level, request);
+    EXPECT_FALSE(once.removals.empty());
+    const SmallVolume result = repaired(volume, once);
+    const Repair twice = repair_loops(result.view(), zero_level, request);
+    EXPECT_TRUE(twice.removals.empty());
+    EXPECT_TRUE(twice.changes.empty());
+  }
+}
+
+TEST(Repair, LeavesNoShortLoopOfTheKindAskedFor) {
+  const SmallVolume volume = testing::smooth_noise({20, 18, 16}, 4, 3);
+  const Repair repair = repair_loops(volume.view(), zero_level, {.fill_tunnels = 10.0});
+  EXPECT_FALSE(repair.removals.empty());
+  for (const Loop& loop : repair.after.loops)
+    if (loop.kind == LoopKind::tunnel) {
+      EXPECT_GE(loop.length, 10.0);
+    }
+}
+
+TEST(Repair, RemovesALoopAcrossWhereADiscCannotSpanTheLoop) {
+  const SmallVolume links = testing::linked_tori({30, 20, 20});
+  for (const int id : {1, 2}) {
+    const Repair repair =
+        repair_loops(links.view(), zero_level, {.loops = {{LoopKind::tunnel, id}}});
+    expect_genus(links, repair, 1);
+    EXPECT_EQ(repair.removals[0].action, RepairAction::cut);
+  }
+  const SmallVolume shell = testing::torus_shell({30, 30, 18});
+  for (const int id : {1, 2}) {
+    const Repair repair =
+        repair_loops(shell.view(), zero_level, {.loops = {{LoopKind::handle, id}}});
+    expect_genus(shell, repair, 1);
+    EXPECT_EQ(repair.removals[0].action, RepairAction::fill);
+  }
+}
+
+TEST(Repair, RefusesLoopsThatDoNotExistAndOpenBoundaries) {
+  const SmallVolume volume = testing::torus({16, 16, 10});
+  EXPECT_THROW(repair_loops(volume.view(), zero_level, {.loops = {{LoopKind::handle, 2}}}),
+               InvalidArgument);
+  EXPECT_THROW(repair_loops(volume.view(), zero_level, {.genus = 0}, {.boundary = Boundary::open}),
+               InvalidArgument);
+}
+
+TEST(Repair, LeavesASurfaceWithoutLoopsAsItIs) {
+  const SmallVolume ball{std::vector<double>(27, 1.0), {3, 3, 3}};
+  const Repair repair = repair_loops(ball.view(), zero_level, {.cut_handles = 5.0, .genus = 0});
+  EXPECT_TRUE(repair.changes.empty());
+  EXPECT_EQ(repair.after.betti.b0, 1);
+}
+
+}  // namespace
+}  // namespace isoloop
