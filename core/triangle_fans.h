@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/surface.h"
@@ -17,6 +18,11 @@ class TriangleFans {
   /// as seen from where M's triangles turn anticlockwise. Throws SelfCheckFailed where M has no
   /// such edge.
   std::uint32_t apex(std::uint32_t from, std::uint32_t to) const;
+
+  /// The numbers of the triangles round a vertex, ascending.
+  std::span<const std::uint32_t> triangles(std::uint32_t vertex) const {
+    return {triangles_.data() + first_[vertex], first_[vertex + 1] - first_[vertex]};
+  }
 
  private:
   const Surface& surface_;

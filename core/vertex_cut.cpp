@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <deque>
 
 #include "core/disjoint_sets.h"
 
@@ -11,7 +12,7 @@ namespace {
 constexpr std::int32_t endless = 1 << 30;
 constexpr auto unreached = static_cast<std::uint32_t>(-1);
 constexpr std::uint32_t small_network = 20'000;  // nodes that can be cut; up to this, in one go
-constexpr std::uint32_t band = 4;                // steps; two from vertex to vertex
+constexpr std::uint32_t band = 2;                // nodes that can be cut, on either side of the cut
 
 /// A flow network: arcs in pairs, 2 k and 2 k + 1, each the way back of the other.
 class Flow {
@@ -141,9 +142,8 @@ class Banded {
     std::vector<std::uint32_t> size(last + 1);
     for (std::size_t n = 0; n < steps.size(); ++n)
       if (cuttable_[n] && steps[n] < size.size()) ++size[steps[n]];
-    // Nodes that can be cut lie at odd steps: all their neighbours are others.
     std::uint32_t best = 1;
-    for (std::uint32_t k = 1; k < size.size(); k += 2)
+    for (std::uint32_t k = 2; k < size.size(); ++k)
       if (size[k] < size[best]) best = k;
     for (std::uint32_t n = 0; n < steps.size(); ++n) {
       before_[n] = steps[n] < best;
@@ -201,18 +201,26 @@ class Banded {
  private:
   std::uint32_t node(std::uint32_t n) const { return cuttable_[n] ? n : whole_.root(n); }
 
+  /// For each node: how many nodes that can be cut, itself among them, are on a shortest way to it
+  /// from one of `start`; up to `most`, else unreached.
   std::vector<std::uint32_t> steps_from(const std::vector<std::uint32_t>& start,
                                         std::uint32_t most) const {
     std::vector<std::uint32_t> steps(cuttable_.size(), unreached);
-    std::vector<std::uint32_t> queue = start;
+    std::deque<std::uint32_t> queue(start.begin(), start.end());
     for (const std::uint32_t n : start) steps[n] = 0;
-    for (std::size_t i = 0; i < queue.size(); ++i) {
-      const std::uint32_t n = queue[i];
-      if (steps[n] == most) break;
+    while (!queue.empty()) {
+      const std::uint32_t n = queue.front();
+      queue.pop_front();
       for (std::uint32_t k = first_[n]; k < first_[n + 1]; ++k) {
-        if (steps[to_[k]] != unreached) continue;
-        steps[to_[k]] = steps[n] + 1;
-        queue.push_back(to_[k]);
+        const std::uint32_t to = to_[k];
+        const std::uint32_t there = steps[n] + (cuttable_[to] ? 1 : 0);
+        if (there > most || there >= steps[to]) continue;
+        steps[to] = there;
+        if (cuttable_[to]) {
+          queue.push_back(to);
+        } else {
+          queue.push_front(to);
+        }
       }
     }
     return steps;

@@ -7,6 +7,7 @@ isoloop_add_tests(isoloop_core_tests
     core_bounded_search_test.cpp
     core_bucket_queue_test.cpp
     core_certificate_test.cpp
+    core_class_passage_test.cpp
     core_closest_test.cpp
     core_connectivity_test.cpp
     core_cube_interior_test.cpp
@@ -15,6 +16,7 @@ isoloop_add_tests(isoloop_core_tests
     core_disjoint_sets_test.cpp
     core_dual_pass_test.cpp
     core_edge_index_test.cpp
+    core_features_test.cpp
     core_geodesic_size_test.cpp
     core_geodesic_test.cpp
     core_grid_complex_test.cpp
@@ -41,7 +43,9 @@ isoloop_add_tests(isoloop_core_tests
     core_surface_order_test.cpp
     core_surface_test.cpp
     core_triangle_fans_test.cpp
+    core_vertex_cut_test.cpp
     core_vertex_pairs_test.cpp
+    core_voxel_values_test.cpp
     core_z2_basis_test.cpp
     core_zero_labels_test.cpp
     exact_basis.cpp

@@ -14,6 +14,7 @@
 #include "tools/input_flags.h"
 #include "tools/loops_command.h"
 #include "tools/output_files.h"
+#include "tools/repair_command.h"
 #include "tools/scan_command.h"
 #include "tools/view_command.h"
 
@@ -51,6 +52,7 @@ void parse_and_run(const std::vector<std::string>& arguments) {
   add_loops_command(app);
   add_scan_command(app);
   add_view_command(app);
+  add_repair_command(app);
   add_generate_command(app);
   check_command(app, arguments);
 

@@ -51,6 +51,11 @@ void OutputFiles::add(const std::string& flag, const std::string& name, const Re
   outputs_.push_back({name, report});
 }
 
+void OutputFiles::reserve(const std::string& flag, const std::string& name) {
+  if (is_stdout(name)) throw InvalidArgument(flag + " wants a file, not standard output");
+  add(flag, name, {});
+}
+
 bool OutputFiles::uses_stdout() const {
   return std::any_of(outputs_.begin(), outputs_.end(),
                      [](const Output& output) { return is_stdout(output.name); });
@@ -59,7 +64,7 @@ bool OutputFiles::uses_stdout() const {
 void OutputFiles::write(const RunResult& run) const {
   std::vector<std::unique_ptr<AtomicFile>> files;
   for (const Output& output : outputs_) {
-    if (is_stdout(output.name)) continue;
+    if (is_stdout(output.name) || !output.report) continue;
     files.push_back(std::make_unique<AtomicFile>(output.name));
     output.report(files.back()->stream(), run);
   }

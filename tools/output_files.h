@@ -25,6 +25,10 @@ class OutputFiles {
   /// input or has been asked for before, InvalidInput where it cannot be created.
   void add(const std::string& flag, const std::string& name, const Report& report);
 
+  /// Holds the file `name` for what is written otherwise: the same checks as add(). `name` must be
+  /// that of a file.
+  void reserve(const std::string& flag, const std::string& name);
+
   /// True if a report goes to standard output.
   bool uses_stdout() const;
 

@@ -1,0 +1,129 @@
+#include "tools/repair_command.h"
+
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <variant>
+
+#include <CLI/CLI.hpp>
+#include <tbb/global_control.h>
+
+#include "core/errors.h"
+#include "tools/output_files.h"
+#include "tools/progress.h"
+#include "tools/read_run.h"
+#include "tools/repair_flags.h"
+#include "tools/report_repair.h"
+#include "volume/file_kind.h"
+#include "volume/write.h"
+
+namespace isoloop {
+namespace {
+
+struct CommandFlags {
+  VolumeFlags volume;
+  LevelFlags level;
+  RepairFlags repair;
+  std::string output;
+  std::string json;  // file, "-" or empty
+  bool dry_run = false;
+  int threads = 0;  // 0: one for each core
+};
+
+/// The output has the input's format, so that it keeps its type and geometry.
+void check_format(const CommandFlags& flags, const Volume& volume) {
+  const auto kind = file_kind(flags.volume.file);
+  if (file_kind(flags.output) != kind) {
+    throw InvalidArgument("--output " + flags.output + " must be a file of the same format as " +
+                          flags.volume.file);
+  }
+  if (kind == FileKind::raw && (flags.volume.skip > 0 || flags.volume.endian != "little")) {
+    throw InvalidArgument(
+        "raw volumes are written little-endian and without a header: --skip and --endian big go "
+        "with --dry-run only");
+  }
+  if (kind == FileKind::vdb && voxel_type(volume.values) != VoxelType::float32) {
+    throw InvalidArgument("OpenVDB grids are written as float, which would round the voxels of " +
+                          flags.volume.file + "; convert it to a float grid first");
+  }
+}
+
+void apply(const Repair& repair, Volume& volume) {
+  std::visit(
+      [&]<class T>(std::vector<T>& values) {
+        for (const VoxelChange& change : repair.changes)
+          values[change.voxel] = static_cast<T>(change.after);
+      },
+      volume.values);
+}
+
+void repair(const CommandFlags& flags) {
+  const auto start = std::chrono::steady_clock::now();
+  const RepairRequest request = repair_request(flags.repair);
+  if (flags.output.empty() && !flags.dry_run) {
+    throw InvalidArgument("give --output FILE for the repaired volume, or --dry-run");
+  }
+  RepairRun result;
+  OutputFiles outputs(flags.volume.file);
+  if (!flags.dry_run) outputs.reserve("--output", flags.output);
+  outputs.add("--json", flags.json,
+              [&result](std::ostream& out, const RunResult&) { write_repair_json(out, result); });
+  std::optional<tbb::global_control> threads;
+  if (flags.threads > 0) {
+    threads.emplace(tbb::global_control::max_allowed_parallelism,
+                    static_cast<std::size_t>(flags.threads));
+  }
+  ProgressLine progress(std::cerr, {.enabled = stderr_is_terminal()});
+  RunResult& run = result.run;
+  run = read_run(flags.volume, flags.level);
+  if (!flags.dry_run) check_format(flags, run.volume);
+  result.repair =
+      repair_loops(view(run.volume), run.level, request,
+                   {.boundary = boundary_of(flags.level), .progress = progress.callback()});
+  check_counts(result.repair.after);
+  check_loops(result.repair.after);
+  run.cost.peak_bytes = peak_resident_bytes();
+  progress.clear();
+  if (!flags.dry_run) {
+    apply(result.repair, run.volume);
+    result.output = flags.output;
+    write_volume(run.volume, flags.output);
+  }
+  run.cost.total_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  outputs.write(run);
+  if (!outputs.uses_stdout()) write_repair_table(std::cout, result);
+  finish_stdout();
+}
+
+}  // namespace
+
+void add_repair_command(CLI::App& app) {
+  CLI::App& command =
+      *app.add_subcommand("repair", "cut handles and fill tunnels, and change nothing else");
+  auto flags = std::make_shared<CommandFlags>();
+  add_volume_flags(command, flags->volume);
+  add_level_flags(command, flags->level);
+  add_repair_flags(command, flags->repair);
+  command.add_option("-o,--output", flags->output, "the repaired volume, in the format of FILE")
+      ->type_name("FILE");
+  command.add_flag("--dry-run", flags->dry_run, "report, and write no volume");
+  command.add_option("--json", flags->json, "write the report as JSON; - is standard output")
+      ->type_name("FILE|-");
+  command
+      .add_option("--threads", flags->threads,
+                  "threads to use (default: one for each core); the result does not depend on it")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  command.footer(
+      "Examples:\n"
+      "  isoloop repair scan.raw --iso 70 --fill-tunnels 30 -o out_256x256x128_uint8.raw\n"
+      "  isoloop repair part.vdb --ids h3,t7 -o repaired.vdb\n"
+      "  isoloop repair part.vdb --genus 0 --dry-run");
+  command.callback([flags] { repair(*flags); });
+}
+
+}  // namespace isoloop
