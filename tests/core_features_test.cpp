@@ -59,11 +59,12 @@ TEST(Features, ReachFartherWithAGreaterRatio) {
                             near[1].vertices.begin(), near[1].vertices.end()));
 }
 
-TEST(Features, OfARingsHandleAreTheWholeRing) {
+// On the ring's inner side the fronts have less far to go: they slant and get longer.
+TEST(Features, OfARingsHandleReachHalfTheRing) {
   const SmallVolume volume = testing::torus({40, 40, 16}, 0.3, 0.1);
   const Analysis analysis = find_loops(volume.view(), zero_level);
   const Feature feature = features_of(analysis.surface, analysis.loops)[0];
-  EXPECT_GE(feature.vertices.size(), analysis.surface.points.size() * 9 / 10);
+  EXPECT_GE(feature.vertices.size(), analysis.surface.points.size() / 2);
 }
 
 TEST(Features, OfRandomLoopsAreFiniteAndHoldTheLoop) {

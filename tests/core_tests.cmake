@@ -61,13 +61,14 @@ isoloop_add_tests(isoloop_core_tests
   LIBRARIES isoloop::core TBB::tbb)
 target_compile_definitions(isoloop_core_tests PRIVATE ISOLOOP_SOURCE="${PROJECT_SOURCE_DIR}")
 
-# Ten thousand random volumes through both engines, five hundred beside the least length that loops
+# Ten thousand random volumes through both engines and repaired to genus 0, five hundred beside the least length that loops
 # can have, a million cubes and sixty fields beside their refinements: minutes, so neither built nor
 # run by default.
 #   cmake --build --preset release --target isoloop_slow_tests
 #   build/release/tests/isoloop_slow_tests
 add_executable(isoloop_slow_tests EXCLUDE_FROM_ALL
   core_pair_slow_test.cpp
+  core_repair_slow_test.cpp
   core_shortest_basis_slow_test.cpp
   core_topology_slow_test.cpp
   exact_basis.cpp
@@ -76,4 +77,6 @@ add_executable(isoloop_slow_tests EXCLUDE_FROM_ALL
   refined_field.cpp
   swept_cube.cpp)
 target_link_libraries(isoloop_slow_tests PRIVATE
-  isoloop::core isoloop_options TBB::tbb GTest::gtest_main)
+  isoloop::core isoloop::volume isoloop_options TBB::tbb GTest::gtest_main)
+target_compile_definitions(isoloop_slow_tests PRIVATE
+  ISOLOOP_TEST_DATA="${PROJECT_SOURCE_DIR}/../shared/data")
