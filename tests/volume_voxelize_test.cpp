@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -137,6 +138,15 @@ TEST(Voxelize, RefusesSizesThatMakeNoVoxels) {
   refused({.resolution = 0});
   const Mesh point{{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, {{0, 1, 2}}};
   EXPECT_THROW(voxelize(point, {.length = 1.0}, {}, "a.stl"), InvalidInput);
+}
+
+TEST(Voxelize, RefusesMeshesThatDoublesCannotHold) {
+  const Mesh away = box_mesh({1e16, 0, 0}, {1e16 + 10, 1, 1});
+  EXPECT_THROW(voxelize(away, {.length = 0.1}, {}, "a.stl"), InvalidInput);
+  for (const double far : {1e200, 1e308, std::numeric_limits<double>::max()}) {
+    const Mesh large = box_mesh({-far, -far / 2, 0}, {far, 0, 1});
+    EXPECT_THROW(voxelize(large, {.resolution = 8}, {}, "a.stl"), InvalidInput) << far;
+  }
 }
 
 TEST(Voxelize, ChecksTheLimitsBeforeItAllocates) {

@@ -48,7 +48,8 @@ std::string text(double number) {
 
 double voxel_length(const Box& box, const VoxelSize& size, const std::string& what) {
   const double side = longest_side(box);
-  if (!std::isfinite(side) || side <= 0.0) {
+  constexpr double most_side = 1e100;  // far from where sums and products overflow
+  if (!(side > 0.0 && side < most_side)) {
     throw InvalidInput(what + ": the mesh has no extent that could be voxelised");
   }
   if (size.length.has_value() == size.resolution.has_value()) {
@@ -60,6 +61,17 @@ double voxel_length(const Box& box, const VoxelSize& size, const std::string& wh
     throw InvalidArgument(what + ": --voxel and --resolution must be positive");
   }
   return length;
+}
+
+void check_distance(const Box& box, double length, const std::string& what) {
+  constexpr double most_voxels = 1e12;  // from the origin; beyond, doubles blur a voxel's parts
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double distance = std::max(std::abs(box.low[a]), std::abs(box.high[a]));
+    if (distance / length < most_voxels) continue;
+    throw InvalidInput(what + ": the mesh lies so far from the origin (" + text(distance) +
+                       ") that voxels of " + text(length) +
+                       " cannot be told apart; move it to the origin");
+  }
 }
 
 Index3 dims_of(const Box& box, double length, const std::string& what) {
@@ -127,6 +139,7 @@ Volume voxelize(const Mesh& mesh, const VoxelSize& size, const VoxelLimits& limi
   Volume volume;
   volume.dims = dims_of(box, length, what);
   check_voxel_memory(volume.dims, sizeof(float), limits, what);
+  check_distance(box, length, what);
   const std::uint64_t max_bytes = limits.max_bytes == 0 ? default_voxel_limit() : limits.max_bytes;
   volume.spacing = {length, length, length};
   for (std::size_t a = 0; a < 3; ++a) volume.origin[a] = box.low[a] - margin * length;

@@ -27,8 +27,8 @@ struct VoxelSize {
 /// of the solid and gaps in it that are thinner than a voxel may be lost: the mesh's topology is
 /// that of the level set where voxels are small enough.
 /// Throws InvalidArgument unless `size` states one positive number, InvalidInput if the mesh is
-/// flat, and LimitExceeded, before memory is asked for, if the voxels are more than `limits` allow;
-/// `what` opens the message of an error.
+/// a point or too far from the origin for doubles, and LimitExceeded, before memory is asked for,
+/// if the voxels are more than `limits` allow; `what` opens the message of an error.
 Volume voxelize(const Mesh& mesh, const VoxelSize& size, const VoxelLimits& limits,
                 const std::string& what);
 
