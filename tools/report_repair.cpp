@@ -28,8 +28,12 @@ std::string action_text(RepairAction action) {
 }
 
 std::string center_text(const Vec3& center) {
-  return "(" + fixed_text(center[0], 1) + ", " + fixed_text(center[1], 1) + ", " +
-         fixed_text(center[2], 1) + ")";
+  std::string text = "(";
+  for (const std::size_t a : {0U, 1U, 2U}) {
+    if (a > 0) text += ", ";
+    text += fixed_text(center[a], 1);
+  }
+  return text += ")";
 }
 
 void write_counts(std::ostream& out, const Repair& repair) {
@@ -49,7 +53,7 @@ void write_removals(std::ostream& out, const RepairRun& result) {
   out << "\nround  loop          length  done             voxels  centre (index)\n";
   for (const Removal& removal : result.repair.removals) {
     std::string done = action_text(removal.action);
-    if (removal.by.kind != removal.loop.kind) done += " " + text_of(removal.by);
+    if (removal.by.kind != removal.loop.kind) done.append(" ").append(text_of(removal.by));
     out << std::right << std::setw(5) << removal.round << "  " << std::left << std::setw(12)
         << text_of(removal.loop) << std::right << std::setw(8)
         << fixed_text(removal.length, decimals) << "  " << std::left << std::setw(16) << done
