@@ -147,7 +147,7 @@ std::set<std::string> flags_in(const std::string& text) {
 TEST(Readme, ExplainsEveryFlagAndNoOther) {
   const ScratchDirectory scratch;
   std::string help;
-  for (const char* command : {"info", "count", "scan", "loops", "view", "generate"})
+  for (const char* command : {"info", "count", "scan", "loops", "view", "repair", "generate"})
     help += run_isoloop(scratch.path(), {command, "-h"}).out;
   help += run_isoloop(scratch.path(), {"-h"}).out;
   std::set<std::string> known = flags_in(help);

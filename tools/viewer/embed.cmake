@@ -23,10 +23,10 @@ file(WRITE "${OUTPUT}" "#include \"tools/viewer_files.h\"
 namespace isoloop {
 namespace {
 
-constexpr std::string_view page[] = {
+const std::string_view page[] = {
 ${page}};
 
-constexpr std::string_view script[] = {
+const std::string_view script[] = {
 ${script}};
 
 }  // namespace
