@@ -37,6 +37,7 @@ int behave(const std::vector<std::string>& arguments) {
   if (what == "allocate") {
     try {
       std::vector<char*> kept;
+      kept.reserve(512);
       for (int i = 0; i < 512; ++i) kept.push_back(new char[std::size_t{1} << 20]);
     } catch (const std::bad_alloc&) {
       return 2;

@@ -54,6 +54,7 @@ std::vector<std::int64_t> euler_of_components(const TriangleMesh& mesh) {
   for (std::uint32_t v = 0; v < mesh.points.size(); ++v) euler[sets.find(v)] += 2;
   for (const auto& corners : mesh.triangles) euler[sets.find(corners[0])] += 2 - 3;
   std::vector<std::int64_t> sorted;
+  sorted.reserve(euler.size());
   for (const auto& [root, twice] : euler) sorted.push_back(twice / 2);
   std::sort(sorted.begin(), sorted.end());
   return sorted;

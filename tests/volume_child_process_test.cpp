@@ -136,6 +136,7 @@ TEST(ChildProcess, GoesWithItsParentWhateverEndsIt) {
 TEST(ChildProcess, WorksBesideOtherThreads) {
   std::vector<std::thread> threads;
   std::vector<int> numbers(8);
+  threads.reserve(numbers.size());
   for (int& number : numbers) threads.emplace_back([&number] { number = end_of({"echo"}).number; });
   for (std::thread& thread : threads) thread.join();
   EXPECT_EQ(numbers, std::vector<int>(8, 7));

@@ -41,7 +41,7 @@ class MetaImage : public testing::Test {
   std::string refusal(const std::string& lines) const {
     return message_of<InvalidInput>([&] { with(lines); });
   }
-  std::string compressed(std::string packed, const std::string& lines = "") const {
+  std::string compressed(const std::string& packed, const std::string& lines = "") const {
     return header("CompressedData = True\nCompressedDataSize = " + std::to_string(packed.size()) +
                   "\n" + lines) +
            packed;

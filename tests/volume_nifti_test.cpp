@@ -55,7 +55,8 @@ struct First {
     std::int64_t count = 1;
     for (int i = 1; i <= dim[0]; ++i) count *= dim[i];
     std::string bytes;
-    for (std::int16_t i = 0; i < count; ++i) bytes += test::number_bytes(i, endian);
+    for (std::int64_t i = 0; i < count; ++i)
+      bytes += test::number_bytes(static_cast<std::int16_t>(i), endian);
     return bytes;
   }
   std::string file() const { return header() + voxels(); }
@@ -71,7 +72,8 @@ std::string second_file(Endian endian, std::int64_t frames) {
   for (std::size_t i = 0; i < 5; ++i) put(bytes, 16 + 8 * i, dim[i], endian);
   for (std::size_t i = 0; i < 4; ++i) put(bytes, 104 + 8 * i, 1.0 + static_cast<double>(i), endian);
   put(bytes, 168, std::int64_t{544}, endian);
-  for (char value = 0; value < 8 * frames; ++value) bytes.push_back(value);
+  for (std::int64_t value = 0; value < 8 * frames; ++value)
+    bytes.push_back(static_cast<char>(value));
   return bytes;
 }
 

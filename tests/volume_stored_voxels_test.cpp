@@ -88,7 +88,9 @@ TEST(ByteStream, KnowsHowMuchCompressedBytesCanHold) {
 TEST(ByteStream, AHeaderIsNotReadWithoutEnd) {
   const TempFolder folder;
   const auto path = folder / "a";
-  write_bytes(path, test::gzip_bytes(std::string(20000000, '\0')));
+  std::string zeros;
+  zeros.resize(20'000'000);
+  write_bytes(path, test::gzip_bytes(zeros));
   ByteStream stream(path, Packing::gzip);
   EXPECT_THROW(stream.skip_rest("it"), InvalidInput);
 }

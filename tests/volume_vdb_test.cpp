@@ -18,11 +18,9 @@ namespace isoloop {
 namespace {
 
 using openvdb::Coord;
-using openvdb::CoordBBox;
 using openvdb::math::Transform;
 using test::contains;
 using test::message_of;
-using test::read_bytes;
 using test::TempFolder;
 using test::write_bytes;
 
