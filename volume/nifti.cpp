@@ -96,9 +96,9 @@ class Fields {
   std::int64_t whole(std::size_t at) const {
     return static_cast<std::int64_t>(load<T>(bytes_, at, endian_));
   }
-  template <class T, std::size_t n>
-  void numbers(std::size_t at, std::array<double, n>& to) const {
-    for (std::size_t i = 0; i < n; ++i) to[i] = number<T>(at + i * sizeof(T));
+  template <class T, std::size_t Count>
+  void numbers(std::size_t at, std::array<double, Count>& to) const {
+    for (std::size_t i = 0; i < Count; ++i) to[i] = number<T>(at + i * sizeof(T));
   }
 
  private:
