@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/analysis.h"
+#include "core/plateau.h"
 #include "core/scan.h"
 #include "volume/volume.h"
 

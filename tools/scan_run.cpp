@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "core/errors.h"
+#include "core/plateau.h"
 #include "core/scan.h"
 #include "tools/number_text.h"
 
