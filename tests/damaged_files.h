@@ -25,6 +25,13 @@ std::string number_bytes(T value, Endian endian) {
   return bytes;
 }
 
+/// Voxels 0 to 11 of 16 bits.
+inline std::string dozen_voxels(Endian endian) {
+  std::string bytes;
+  for (std::int16_t i = 0; i < 12; ++i) bytes += number_bytes(i, endian);
+  return bytes;
+}
+
 template <class T>
 void put(std::string& bytes, std::size_t at, T value, Endian endian) {
   bytes.replace(at, sizeof(T), number_bytes(value, endian));

@@ -12,15 +12,10 @@ namespace isoloop {
 namespace {
 
 using test::contains;
+using test::dozen_voxels;
 using test::message_of;
 using test::TempFolder;
 using test::write_bytes;
-
-std::string voxels(Endian endian) {
-  std::string bytes;
-  for (std::int16_t i = 0; i < 12; ++i) bytes += test::number_bytes(i, endian);
-  return bytes;
-}
 
 std::string header(const std::string& lines, const std::string& data = "LOCAL") {
   return "ObjectType = Image\nNDims = 3\nBinaryData = True\nDimSize = 3 2 2\n"
@@ -36,7 +31,7 @@ class MetaImage : public testing::Test {
     return read_meta_image(folder_ / "a.mha", options, limits);
   }
   Volume with(const std::string& lines, const FormatOptions& options = {}) const {
-    return read(header(lines) + voxels(Endian::little), options);
+    return read(header(lines) + dozen_voxels(Endian::little), options);
   }
   std::string refusal(const std::string& lines) const {
     return message_of<InvalidInput>([&] { with(lines); });
@@ -54,9 +49,10 @@ TEST_F(MetaImage, EveryEncodingAndByteOrderHoldsTheSameVoxels) {
   EXPECT_EQ(std::get<std::vector<std::int16_t>>(expected)[11], 11);
   const std::string big = "BinaryDataByteOrderMSB = True\n";
   for (const std::string& file :
-       {header(big) + voxels(Endian::big), compressed(test::zlib_bytes(voxels(Endian::little))),
-        compressed(test::gzip_bytes(voxels(Endian::little))),
-        compressed(test::zlib_bytes(voxels(Endian::big)), "ElementByteOrderMSB = True\n")}) {
+       {header(big) + dozen_voxels(Endian::big),
+        compressed(test::zlib_bytes(dozen_voxels(Endian::little))),
+        compressed(test::gzip_bytes(dozen_voxels(Endian::little))),
+        compressed(test::zlib_bytes(dozen_voxels(Endian::big)), "ElementByteOrderMSB = True\n")}) {
     EXPECT_EQ(read(file).values, expected);
   }
 }
@@ -64,9 +60,9 @@ TEST_F(MetaImage, EveryEncodingAndByteOrderHoldsTheSameVoxels) {
 TEST_F(MetaImage, ADetachedHeaderNamesItsDataFile) {
   const auto path = folder_ / "a.mhd";
   write_bytes(path, header("", "a b.raw"));
-  write_bytes(folder_ / "a b.raw", voxels(Endian::little));
+  write_bytes(folder_ / "a b.raw", dozen_voxels(Endian::little));
   EXPECT_EQ(read_meta_image(path).dims, (Index3{3, 2, 2}));
-  write_bytes(folder_ / "a b.raw", "xyz" + voxels(Endian::little));
+  write_bytes(folder_ / "a b.raw", "xyz" + dozen_voxels(Endian::little));
   EXPECT_THROW(read_meta_image(path), InvalidInput);
   for (const char* size : {"3", "-1"}) {
     write_bytes(path, header(std::string("HeaderSize = ") + size + "\n", "a b.raw"));
@@ -81,20 +77,21 @@ TEST_F(MetaImage, ADetachedHeaderNamesItsDataFile) {
 TEST_F(MetaImage, NoFileCutShortIsRead) {
   const auto path = folder_ / "cut.mha";
   for (const std::string& whole :
-       {header("") + voxels(Endian::little), compressed(test::zlib_bytes(voxels(Endian::little))),
-        header("CompressedData = True\n") + test::zlib_bytes(voxels(Endian::little))}) {
+       {header("") + dozen_voxels(Endian::little),
+        compressed(test::zlib_bytes(dozen_voxels(Endian::little))),
+        header("CompressedData = True\n") + test::zlib_bytes(dozen_voxels(Endian::little))}) {
     test::expect_no_beginning_is_read(path, whole, [&] { read_meta_image(path); });
   }
   const auto detached = folder_ / "cut.mhd";
-  write_bytes(folder_ / "cut.raw", voxels(Endian::little));
+  write_bytes(folder_ / "cut.raw", dozen_voxels(Endian::little));
   test::expect_no_beginning_is_read(detached, header("", "cut.raw"),
                                     [&] { read_meta_image(detached); });
-  test::expect_no_beginning_is_read(folder_ / "cut.raw", voxels(Endian::little),
+  test::expect_no_beginning_is_read(folder_ / "cut.raw", dozen_voxels(Endian::little),
                                     [&] { read_meta_image(detached); });
 }
 
 TEST_F(MetaImage, StatedAndPresentCompressedBytesMustAgree) {
-  const std::string packed = test::zlib_bytes(voxels(Endian::little));
+  const std::string packed = test::zlib_bytes(dozen_voxels(Endian::little));
   EXPECT_THROW(read(header("CompressedData = True\nCompressedDataSize = 5\n") + packed),
                InvalidInput);
   EXPECT_THROW(read(header("CompressedData = True\n") + packed + "x"), InvalidInput);

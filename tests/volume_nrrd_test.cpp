@@ -13,16 +13,10 @@ namespace isoloop {
 namespace {
 
 using test::contains;
+using test::dozen_voxels;
 using test::message_of;
 using test::TempFolder;
 using test::write_bytes;
-
-// Voxels 0 to 11 of 16 bits, or as many of 8.
-std::string voxels(Endian endian) {
-  std::string bytes;
-  for (std::int16_t i = 0; i < 12; ++i) bytes += test::number_bytes(i, endian);
-  return bytes;
-}
 
 std::string header(const std::string& lines) {
   return "NRRD0004\n# a comment\ntype: short\ndimension: 3\nsizes: 3 2 2\n" + lines;
@@ -39,7 +33,7 @@ class Nrrd : public testing::Test {
   }
   // Of a header with these lines and the usual voxels.
   Volume with(const std::string& lines, const FormatOptions& options = {}) const {
-    return read(header(plain + lines) + "\n" + voxels(Endian::little), options);
+    return read(header(plain + lines) + "\n" + dozen_voxels(Endian::little), options);
   }
   std::string refusal(const std::string& lines) const {
     return message_of<InvalidInput>([&] { with(lines); });
@@ -53,7 +47,7 @@ TEST_F(Nrrd, EveryEncodingAndByteOrderHoldsTheSameVoxels) {
   for (const Endian endian : {Endian::little, Endian::big}) {
     const std::string order =
         std::string("endian: ") + (endian == Endian::big ? "big" : "little") + "\n";
-    const std::string bytes = voxels(endian);
+    const std::string bytes = dozen_voxels(endian);
     for (const std::string& file :
          {header(order + "encoding: raw\n") + "\n" + bytes,
           header(order + "encoding: gzip\nkey:=any value\n") + "\n" + test::gzip_bytes(bytes),
@@ -69,7 +63,7 @@ TEST_F(Nrrd, EveryEncodingAndByteOrderHoldsTheSameVoxels) {
 
 TEST_F(Nrrd, ADetachedHeaderNamesItsDataFile) {
   write_bytes(folder_ / "a.nhdr", header(plain + "data file: ./a.raw\n"));
-  write_bytes(folder_ / "a.raw", voxels(Endian::little));
+  write_bytes(folder_ / "a.raw", dozen_voxels(Endian::little));
   EXPECT_EQ(read_nrrd(folder_ / "a.nhdr").dims, (Index3{3, 2, 2}));
   std::filesystem::remove(folder_ / "a.raw");
   EXPECT_TRUE(contains(message_of<InvalidInput>([&] { read_nrrd(folder_ / "a.nhdr"); }), "a.raw"));
@@ -82,21 +76,21 @@ TEST_F(Nrrd, ADetachedHeaderNamesItsDataFile) {
 
 TEST_F(Nrrd, NoFileCutShortIsRead) {
   const auto path = folder_ / "cut.nrrd";
-  for (const std::string& whole :
-       {header(plain) + "\n" + voxels(Endian::little),
-        header("endian: big\nencoding: gzip\n") + "\n" + test::gzip_bytes(voxels(Endian::big))}) {
+  for (const std::string& whole : {header(plain) + "\n" + dozen_voxels(Endian::little),
+                                   header("endian: big\nencoding: gzip\n") + "\n" +
+                                       test::gzip_bytes(dozen_voxels(Endian::big))}) {
     test::expect_no_beginning_is_read(path, whole, [&] { read_nrrd(path); });
   }
-  write_bytes(folder_ / "cut.raw", voxels(Endian::little));
+  write_bytes(folder_ / "cut.raw", dozen_voxels(Endian::little));
   const auto detached = folder_ / "cut.nhdr";
   const std::string whole = header("data file: cut.raw\n" + plain);
   test::expect_no_beginning_is_read(detached, whole, [&] { read_nrrd(detached); });
-  test::expect_no_beginning_is_read(folder_ / "cut.raw", voxels(Endian::little),
+  test::expect_no_beginning_is_read(folder_ / "cut.raw", dozen_voxels(Endian::little),
                                     [&] { read_nrrd(detached); });
 }
 
 TEST_F(Nrrd, BytesTooManyAreRefused) {
-  EXPECT_THROW(read(header(plain) + "\n" + voxels(Endian::little) + "x"), InvalidInput);
+  EXPECT_THROW(read(header(plain) + "\n" + dozen_voxels(Endian::little) + "x"), InvalidInput);
 }
 
 TEST_F(Nrrd, TheSpaceGivesFrameAndPlace) {

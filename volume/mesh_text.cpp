@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "volume/header_text.h"
+
 namespace isoloop {
 namespace {
 
@@ -67,14 +69,12 @@ double LineReader::number(std::size_t word) const {
 }
 
 std::int64_t LineReader::whole(std::string_view word, std::int64_t least, std::int64_t most) const {
-  std::int64_t value = 0;
-  const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (word.empty() || problem != std::errc() || end != word.data() + word.size() || value < least ||
-      value > most) {
+  const std::optional<std::int64_t> value = whole_number_of(word);
+  if (!value || *value < least || *value > most) {
     throw error(quoted(word) + " is no whole number from " + std::to_string(least) + " to " +
                 std::to_string(most));
   }
-  return value;
+  return *value;
 }
 
 void append_fan(Mesh& mesh, const std::vector<std::uint32_t>& polygon) {
