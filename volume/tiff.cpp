@@ -233,6 +233,7 @@ std::int64_t stated(const std::string& description, const std::string& name) {
 std::vector<Slice> pages_of(const std::filesystem::path& path, VoxelLayout& layout) {
   std::vector<Slice> slices;
   const std::vector<TiffPage> pages = read_tiff_pages(path);
+  slices.reserve(pages.size());
   for (const TiffPage& page : pages) slices.push_back({path, page.at});
   const std::string& text = pages.front().description;
   const auto count = static_cast<std::int64_t>(pages.size());
