@@ -193,8 +193,12 @@ Workings work_out_loops(const AnyGridView& grid, const IsoLevel& level,
     return std::make_unique<EdgeSizes>(
         geodesic_sizes(sides, edges, surface, closest, options.geodesic));
   });
-  check_memory("pass", pass_bytes(lattice, surface.points.size(), 1), options.max_bytes);
-  const bool at_once = pass_bytes(lattice, surface.points.size(), 2) <= options.max_bytes;
+  const auto pass_needs = [&](std::uint64_t sides_at_once) {
+    return pass_bytes(lattice, surface.points.size(), workings.sizes->by_edge.bytes(),
+                      sides_at_once);
+  };
+  check_memory("pass", pass_needs(1), options.max_bytes);
+  const bool at_once = pass_needs(2) <= options.max_bytes;
   for (const Side side : {Side::inside, Side::outside})
     (side == Side::inside ? workings.inside : workings.outside).complex =
         std::make_unique<GridComplex>(sides, edges, *workings.sizes, side);

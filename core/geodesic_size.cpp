@@ -21,31 +21,39 @@ constexpr double exact_radius = 5.0;  // voxels
 constexpr double level_radius = 8.0;  // blocks of the level
 constexpr double rounding = 1e-5;     // of sums of single precision, relative
 
-/// Calls visit(edge, side, a, b): K's edge that is `grid_edge` or its half on `side`, and the
-/// surface vertices closest to its ends.
+/// Calls visit(edge, is_outside_half, a, b) for K's edges that are grid edges at lattice vertices
+/// 64 block .. 64 block + 63, or halves of them: a and b are the surface vertices closest to its
+/// ends.
 template <class Visit>
-void for_each_edge_end_pair(const Sides& sides, const EdgeIndex& edges,
-                            const std::vector<std::uint32_t>& closest, const Visit& visit) {
+void visit_end_pairs(const Sides& sides, const EdgeIndex& edges,
+                     const std::vector<std::uint32_t>& closest, std::uint32_t block,
+                     const Visit& visit) {
   const Lattice& lattice = sides.lattice;
-  tbb::parallel_for(std::uint32_t{0}, lattice.dims[2], [&](std::uint32_t z) {
-    for (std::uint32_t y = 0; y < lattice.dims[1]; ++y)
-      for (std::uint32_t x = 0; x < lattice.dims[0]; ++x) {
-        const std::uint32_t v = lattice.vertex(x, y, z);
-        const std::array<bool, 3> has{x + 1 < lattice.dims[0], y + 1 < lattice.dims[1],
-                                      z + 1 < lattice.dims[2]};
-        for (std::uint32_t a = 0; a < 3; ++a) {
-          if (!has[a]) continue;
-          const std::uint32_t w = v + lattice.stride[a];
-          const std::uint32_t edge = 3 * v + a;
-          if (sides.inside[v] == sides.inside[w]) {
-            visit(edge, static_cast<Side>(sides.inside[v]), closest[v], closest[w]);
-          } else {
-            const std::uint32_t crossing = edges.vertex_on(edge);
-            visit(edge, static_cast<Side>(sides.inside[v]), closest[v], crossing);
-            visit(edge, static_cast<Side>(sides.inside[w]), closest[w], crossing);
-          }
-        }
+  const std::uint32_t end = std::min(64 * block + 64, lattice.vertex_count());
+  auto position = lattice.position(64 * block);
+  for (std::uint32_t v = 64 * block; v < end; ++v) {
+    for (std::uint32_t a = 0; a < 3; ++a) {
+      if (position[a] + 1 == lattice.dims[a]) continue;
+      const std::uint32_t w = v + lattice.stride[a];
+      const std::uint32_t edge = 3 * v + a;
+      if (sides.inside[v] == sides.inside[w]) {
+        visit(edge, false, closest[v], closest[w]);
+      } else {
+        const std::uint32_t crossing = edges.vertex_on(edge);
+        visit(edge, sides.is_on(Side::outside, v), closest[v], crossing);
+        visit(edge, sides.is_on(Side::outside, w), closest[w], crossing);
       }
+    }
+    for (int a = 0; a < 3 && ++position[a] == lattice.dims[a]; ++a) position[a] = 0;
+  }
+}
+
+/// The same for all blocks, many at a time.
+template <class Visit>
+void for_each_end_pair(const Sides& sides, const EdgeIndex& edges,
+                       const std::vector<std::uint32_t>& closest, const Visit& visit) {
+  tbb::parallel_for(std::uint32_t{0}, edges.block_count(), [&](std::uint32_t block) {
+    visit_end_pairs(sides, edges, closest, block, visit);
   });
 }
 
@@ -56,15 +64,15 @@ VertexPairs collect_pairs(const Sides& sides, const EdgeIndex& edges, const Surf
   const auto matters = [&](std::uint32_t a, std::uint32_t b) {
     return a != b && component[a] == component[b];
   };
-  for_each_edge_end_pair(sides, edges, closest,
-                         [&](std::uint32_t, Side, std::uint32_t a, std::uint32_t b) {
-                           if (matters(a, b)) collector.count(a, b);
-                         });
+  for_each_end_pair(sides, edges, closest,
+                    [&](std::uint32_t, bool, std::uint32_t a, std::uint32_t b) {
+                      if (matters(a, b)) collector.count(a, b);
+                    });
   collector.end_of_counting();
-  for_each_edge_end_pair(sides, edges, closest,
-                         [&](std::uint32_t, Side, std::uint32_t a, std::uint32_t b) {
-                           if (matters(a, b)) collector.add(a, b);
-                         });
+  for_each_end_pair(sides, edges, closest,
+                    [&](std::uint32_t, bool, std::uint32_t a, std::uint32_t b) {
+                      if (matters(a, b)) collector.add(a, b);
+                    });
   return collector.take();
 }
 
@@ -192,6 +200,21 @@ std::vector<float> pair_lengths(const Surface& surface, const VertexPairs& pairs
   return lengths;
 }
 
+/// The edges whose size is not 0, but for outside halves.
+EdgeSet edges_of_size(const Sides& sides, const EdgeIndex& edges,
+                      const std::vector<std::uint32_t>& closest) {
+  return EdgeSet(sides.lattice.vertex_count(), [&](std::uint32_t block) {
+    EdgeSet::BlockBits not_zero{};
+    visit_end_pairs(
+        sides, edges, closest, block,
+        [&](std::uint32_t edge, bool is_outside_half, std::uint32_t a, std::uint32_t b) {
+          if (is_outside_half || a == b) return;
+          not_zero[edge % 3] |= std::uint64_t{1} << (edge / 3 % 64);
+        });
+    return not_zero;
+  });
+}
+
 }  // namespace
 
 EdgeSizes geodesic_sizes(const Sides& sides, const EdgeIndex& edges, const Surface& surface,
@@ -200,17 +223,17 @@ EdgeSizes geodesic_sizes(const Sides& sides, const EdgeIndex& edges, const Surfa
   const std::vector<float> lengths = pair_lengths(surface, pairs, mode);
   const auto& component = surface.component_of_vertex;
   EdgeSizes sizes;
-  sizes.by_edge.resize(3 * std::size_t{sides.lattice.vertex_count()});
+  sizes.by_edge = SparseSizes(edges_of_size(sides, edges, closest));
   sizes.of_outside_half.resize(surface.points.size());
-  for_each_edge_end_pair(
-      sides, edges, closest, [&](std::uint32_t edge, Side side, std::uint32_t a, std::uint32_t b) {
-        const float size = a == b                         ? 0.0F
-                           : component[a] != component[b] ? infinite
-                                                          : lengths[pairs.find(a, b)];
-        if (side == Side::outside && edges.is_cut(edge))
+  for_each_end_pair(
+      sides, edges, closest,
+      [&](std::uint32_t edge, bool is_outside_half, std::uint32_t a, std::uint32_t b) {
+        if (a == b) return;
+        const float size = component[a] != component[b] ? infinite : lengths[pairs.find(a, b)];
+        if (is_outside_half)
           sizes.of_outside_half[edges.vertex_on(edge)] = size;
         else
-          sizes.by_edge[edge] = size;
+          sizes.by_edge.set(edge, size);
       });
   return sizes;
 }

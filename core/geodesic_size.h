@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/edge_index.h"
+#include "core/edge_set.h"
 #include "core/sides.h"
 #include "core/surface.h"
 
@@ -17,10 +19,32 @@ namespace isoloop {
 /// of about 0.12. Beyond 64 voxels on smoothed noise 1.10.
 enum class GeodesicMode { exact, hierarchy };
 
+/// A size for each grid edge: half a byte a lattice vertex, and four for each that is not 0. Far
+/// from M, and about its medial axis, many edges are within the reach of one vertex of M.
+class SparseSizes {
+ public:
+  SparseSizes() = default;
+  explicit SparseSizes(EdgeSet not_zero)
+      : not_zero_(std::move(not_zero)), sizes_(not_zero_.count()) {}
+
+  float operator[](std::uint32_t grid_edge) const {
+    return not_zero_[grid_edge] ? sizes_[not_zero_.rank(grid_edge)] : 0.0F;
+  }
+
+  /// `grid_edge` must be one of those that are not 0. Other threads may set other edges.
+  void set(std::uint32_t grid_edge, float size) { sizes_[not_zero_.rank(grid_edge)] = size; }
+
+  std::uint64_t bytes() const { return not_zero_.bytes() + sizes_.size() * sizeof(float); }
+
+ private:
+  EdgeSet not_zero_;
+  std::vector<float> sizes_;  // by rank
+};
+
 /// Sizes of K's edges, unit of the spacing; infinite where the ends' closest vertices lie on
 /// different components of M, 0 where they coincide.
 struct EdgeSizes {
-  std::vector<float> by_edge;          // by grid edge; of a cut edge: of its inside half
+  SparseSizes by_edge;                 // of a cut edge: of its inside half
   std::vector<float> of_outside_half;  // by vertex of M: of its grid edge's outside half
 };
 

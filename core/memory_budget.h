@@ -16,11 +16,12 @@ std::string bytes_text(std::uint64_t bytes);
 void check_memory(const char* stage, std::uint64_t needed, std::uint64_t limit);
 
 /// Bytes that the pipeline holds at most during each stage, the grid's voxels not among them, for
-/// `lattice` vertices of the box round the solid and `surface` vertices of M: fitted to peaks that
-/// were measured on thick parts, thin vessels and lattices of tubes.
+/// `lattice` vertices of the box round the solid, `surface` vertices of M and `sizes` bytes of
+/// sizes: fitted to peaks that were measured on thick parts, thin vessels and lattices of tubes.
 std::uint64_t surface_bytes(std::uint64_t lattice, std::uint64_t surface);
 std::uint64_t closest_bytes(std::uint64_t lattice, std::uint64_t surface);
 std::uint64_t sizes_bytes(std::uint64_t lattice, std::uint64_t surface);
-std::uint64_t pass_bytes(std::uint64_t lattice, std::uint64_t surface, std::uint64_t sides_at_once);
+std::uint64_t pass_bytes(std::uint64_t lattice, std::uint64_t surface, std::uint64_t sizes,
+                         std::uint64_t sides_at_once);
 
 }  // namespace isoloop

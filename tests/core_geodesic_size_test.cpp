@@ -65,6 +65,17 @@ TEST(GeodesicSize, HalvesOfACutEdgeLeadToItsVertexOnM) {
   }
 }
 
+TEST(GeodesicSize, EdgesFarFromASmallSurfaceTakeLittleMemory) {
+  SmallVolume volume = testing::torus({48, 48, 24});
+  const Prepared near(volume);
+  volume.values.front() = volume.values.back() = 1.0;  // a box beyond the torus
+  const Prepared far(volume);
+  const double more = far.sides.lattice.vertex_count() - near.sides.lattice.vertex_count();
+  EXPECT_GT(more, 10'000);
+  const auto bytes = static_cast<double>(far.sizes.by_edge.bytes() - near.sizes.by_edge.bytes());
+  EXPECT_LT(bytes, 7 * more);
+}
+
 /// Sizes by the hierarchy over exact ones, of the edges beyond the exact radius.
 std::vector<double> ratios_beyond_the_exact_radius(const SmallVolume& volume) {
   const Prepared exact(volume);

@@ -24,16 +24,16 @@ std::string complaint_within(const testing::SmallVolume& volume, std::uint64_t b
 
 TEST(MemoryBudget, EachStageIsRefusedByNameBeforeItStarts) {
   testing::SmallVolume volume = testing::torus({48, 48, 48});
-  volume.values.front() = volume.values.back() = 1.0;  // a box much larger than the torus
-  const Sides sides = classify(volume.view(), testing::zero_level);
-  const EdgeIndex edges(sides);
-  const std::uint64_t lattice = sides.lattice.vertex_count();
-  const std::uint64_t surface = edges.count();
+  volume.values.front() = volume.values.back() = 1.0;  // a box beyond the torus: each needs more
+  const testing::Prepared p(volume, GeodesicMode::hierarchy);
+  const std::uint64_t lattice = p.sides.lattice.vertex_count();
+  const std::uint64_t surface = p.edges.count();
+  const std::uint64_t sizes = p.sizes.by_edge.bytes();
   const std::array<std::pair<const char*, std::uint64_t>, 4> stages{
       {{"surface", surface_bytes(lattice, surface)},
        {"closest", closest_bytes(lattice, surface)},
        {"sizes", sizes_bytes(lattice, surface)},
-       {"pass", pass_bytes(lattice, surface, 1)}}};
+       {"pass", pass_bytes(lattice, surface, sizes, 1)}}};
   for (const auto& [stage, bytes] : stages) {
     const std::string complaint = complaint_within(volume, bytes - 1);
     for (const std::string& part : {std::string(stage), bytes_text(bytes), bytes_text(bytes - 1),
