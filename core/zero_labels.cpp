@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include <tbb/parallel_for.h>
@@ -68,21 +69,24 @@ class PlainRings {
         chunk_(std::max<std::size_t>(least_chunk, by_y_.words + 2)),
         chunks_((known_[0].words_in_layer() + chunk_ - 1) / chunk_),
         is_dirty_(chunks_ * lattice_.dims[2], 1),
+        is_layer_dirty_(lattice_.dims[2], 1),
         other_edges_(lattice_.dims[2]) {
     tbb::parallel_for(std::uint32_t{0}, lattice_.dims[2],
                       [&](std::uint32_t z) { read_layer(z, forest); });
   }
 
-  /// Slabs that are neighbours share a layer of pieces: every other slab at a time.
+  /// Slabs that are neighbours share a layer of pieces: every other slab at a time. A chain of
+  /// conclusions may cross from slab to slab many thousand times, so a round costs little where
+  /// there is little to read.
   void close() {
     const std::uint32_t slabs = (lattice_.dims[2] + layers_in_slab - 1) / layers_in_slab;
-    for (bool any = true; any;) {
-      any = false;
-      for (std::uint32_t parity = 0; parity < 2; ++parity) {
-        tbb::parallel_for(std::uint32_t{0}, (slabs + 1 - parity) / 2,
-                          [&](std::uint32_t i) { close_slab(2 * i + parity); });
-      }
-      any = std::find(is_dirty_.begin(), is_dirty_.end(), 1) != is_dirty_.end();
+    std::vector<std::uint32_t> dirty;
+    for (std::uint32_t quiet = 0, parity = 0; quiet < 2; parity ^= 1U) {
+      dirty.clear();
+      for (std::uint32_t slab = parity; slab < slabs; slab += 2)
+        if (is_slab_dirty(slab)) dirty.push_back(slab);
+      quiet = dirty.empty() ? quiet + 1 : 0;
+      tbb::parallel_for(std::size_t{0}, dirty.size(), [&](std::size_t i) { close_slab(dirty[i]); });
     }
   }
 
@@ -132,35 +136,57 @@ class PlainRings {
       }
   }
 
+  std::uint32_t slab_end(std::uint32_t slab) const {
+    return std::min((slab + 1) * layers_in_slab, lattice_.dims[2]);
+  }
+
+  bool is_slab_dirty(std::uint32_t slab) const {
+    const std::uint8_t* const first = is_layer_dirty_.data() + slab * layers_in_slab;
+    const std::uint8_t* const last = is_layer_dirty_.data() + slab_end(slab);
+    return std::find(first, last, 1) != last;
+  }
+
   void close_slab(std::uint32_t slab) {
-    const std::uint32_t begin = slab * layers_in_slab;
-    const std::uint32_t end = std::min(begin + layers_in_slab, lattice_.dims[2]);
-    for (bool any = true; any;) {
-      any = false;
-      for (std::uint32_t z = begin; z < end; ++z)
-        for (std::size_t c = 0; c < chunks_; ++c) any = close_chunk(z, c) || any;
-      for (std::uint32_t z = end; any && z-- > begin;)
-        for (std::size_t c = chunks_; c-- > 0;) close_chunk(z, c);
+    while (is_slab_dirty(slab)) {
+      for (std::uint32_t z = slab * layers_in_slab; z < slab_end(slab); ++z) close_layer(z);
+      for (std::uint32_t z = slab_end(slab); z-- > slab * layers_in_slab;) close_layer(z);
+    }
+  }
+
+  void close_layer(std::uint32_t z) {
+    if (is_layer_dirty_[z] == 0) return;
+    std::uint8_t* const dirty = is_dirty_.data() + z * chunks_;
+    std::size_t from = 0;
+    while (const void* const found = std::memchr(dirty + from, 1, chunks_ - from)) {
+      const auto chunk = static_cast<std::size_t>(static_cast<const std::uint8_t*>(found) - dirty);
+      dirty[chunk] = 0;
+      from = chunk;
+      if (!close_chunk(z, chunk)) continue;
+      mark_near(z, chunk);
+      if (chunk > 0) --from;
+    }
+    is_layer_dirty_[z] = 0;
+  }
+
+  void mark_near(std::uint32_t z, std::size_t chunk) {
+    const std::size_t first = chunk == 0 ? 0 : chunk - 1;
+    const std::size_t last = std::min(chunk + 2, chunks_);
+    for (std::uint32_t near = z == 0 ? 0 : z - 1; near < std::min(z + 2, lattice_.dims[2]);
+         ++near) {
+      is_layer_dirty_[near] = 1;
+      std::fill(is_dirty_.begin() + static_cast<std::ptrdiff_t>(near * chunks_ + first),
+                is_dirty_.begin() + static_cast<std::ptrdiff_t>(near * chunks_ + last), 1);
     }
   }
 
   /// Says whether anything followed.
   bool close_chunk(std::uint32_t z, std::size_t chunk) {
-    std::uint8_t& dirty = is_dirty_[z * chunks_ + chunk];
-    if (dirty == 0) return false;
-    dirty = 0;
     const std::size_t begin = chunk * chunk_;
     const std::size_t end = std::min(begin + chunk_, known_[0].words_in_layer());
     bool any = false;
     for (std::size_t w = begin; w < end; ++w)
       while (close_word(z, w)) any = true;
-    if (!any) return false;
-    const std::size_t first = chunk == 0 ? 0 : chunk - 1;
-    const std::size_t last = std::min(chunk + 2, chunks_);
-    for (std::uint32_t near = z == 0 ? 0 : z - 1; near < std::min(z + 2, lattice_.dims[2]); ++near)
-      std::fill(is_dirty_.begin() + static_cast<std::ptrdiff_t>(near * chunks_ + first),
-                is_dirty_.begin() + static_cast<std::ptrdiff_t>(near * chunks_ + last), 1);
-    return true;
+    return any;
   }
 
   /// Edge v along a, with b and c across: normal c at v and before it along b, normal b at v and
@@ -198,11 +224,12 @@ class PlainRings {
   const Lattice& lattice_;
   Back by_x_;
   Back by_y_;
-  std::array<Plane, 3> known_;          // by normal: of the face with lowest corner v
-  std::array<Plane, 3> plain_;          // by direction: of the edge from v
-  std::size_t chunk_;                   // words
-  std::size_t chunks_;                  // in a layer
-  std::vector<std::uint8_t> is_dirty_;  // by layer and chunk: whether anything may follow
+  std::array<Plane, 3> known_;                // by normal: of the face with lowest corner v
+  std::array<Plane, 3> plain_;                // by direction: of the edge from v
+  std::size_t chunk_;                         // words
+  std::size_t chunks_;                        // in a layer
+  std::vector<std::uint8_t> is_dirty_;        // by layer and chunk: whether anything may follow
+  std::vector<std::uint8_t> is_layer_dirty_;  // whether a chunk of it may be dirty
   std::vector<std::vector<std::uint32_t>> other_edges_;  // by layer
 };
 
