@@ -47,10 +47,11 @@ def print_runs(rows):
         if program != "isoloop loops" or used != 1:
             continue
         count = rows[volume, size, "isoloop count", threads]
-        all_cores = rows[volume, size, program, threads]
-        peak = float(all_cores["peak_bytes"])
+        all_cores = rows.get((volume, size, program, threads))
+        peak = float((all_cores or row)["peak_bytes"])
         lines.append([volume, str(size), row["genus"], f"{count['cpu_s']:.2f}",
-                      f"{row['cpu_s']:.2f}", f"{all_cores['wall_s']:.2f}", f"{peak / GIB:.2f}",
+                      f"{row['cpu_s']:.2f}", f"{all_cores['wall_s']:.2f}" if all_cores else "-",
+                      f"{peak / GIB:.2f}",
                       f"{peak / int(row['voxels']):.0f}",
                       *(f"{row[stage]:.2f}" for stage in STAGES)])
     table(["volume", "size", "genus", "count: CPU s", "loops: CPU s, 1 thread",

@@ -2,10 +2,11 @@
 """Measures whole runs of isoloop, and what one might run instead, on shapes and real volumes.
 
     tests/bench/whole_runs.py [--sizes 64 128 256] [--repeat 5] [--rivals NAME ...] [--only NAME ...]
-                              [--isoloop PROGRAM] [--data FOLDER] -o RUNS.csv
+                              [--threads 1 2] [--isoloop PROGRAM] [--data FOLDER] -o RUNS.csv
 
 One line a run: CPU and wall-clock seconds, peak memory, and the wall-clock seconds of each stage.
-Each volume is measured with one thread, whose wall clock is its CPU time by stage, and with all.
+Each volume is measured with one thread, whose wall clock is its CPU time by stage, and with all,
+or with those numbers of threads that --threads names.
 tests/bench/report.py makes tables and a plot of it. Rivals are gudhi, skimage
 and vtk (python3-gudhi, python3-skimage, python3-vtk9) and phat (target isoloop_bench_phat)."""
 
@@ -26,11 +27,12 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 SHAPES = {name: [name] for name in ("ball", "engine_block", "gyroid", "lattice", "linked_tori",
                                     "nested_tori", "plate", "shell", "torus", "trefoil")}
 SHAPES["lattice_7"] = ["lattice", "--cells", "7"]  # b1 = 833
-REAL = [("engine", "engine_256x256x128_uint8.raw", 70),
-        ("engine_half", "engine_half_128x128x64_uint8.raw", 70),
-        ("aneurism", "aneurism_256x256x256_uint8.raw", 51),
-        ("hydrogen", "hydrogen_128x128x128_uint8.raw", 15),
-        ("fuel", "fuel_64x64x64_uint8.raw", 15)]
+REAL = [("engine", "engine_256x256x128_uint8.raw", 70, 1),
+        ("engine_half", "engine_half_128x128x64_uint8.raw", 70, 1),
+        ("engine_doubled", "engine_256x256x128_uint8.raw", 70, 2),  # each voxel eight times
+        ("aneurism", "aneurism_256x256x256_uint8.raw", 51, 1),
+        ("hydrogen", "hydrogen_128x128x128_uint8.raw", 15, 1),
+        ("fuel", "fuel_64x64x64_uint8.raw", 15, 1)]
 STAGES = ["read", "surface", "closest", "sizes", "pass", "loops"]
 COLUMNS = ["volume", "size", "voxels", "program", "threads", "cpu_s", "wall_s", "peak_bytes",
            "bytes_per_voxel", "genus", *STAGES, "result"]
@@ -120,12 +122,19 @@ def shape_volume(isoloop, name, size, work):
     return Volume(name, size, voxels, flags, array)
 
 
-def real_volume(data, name, file, iso):
+def real_volume(data, work, name, file, iso, factor):
     path = data / "volumes" / file
     if not path.exists():
         print(f"needs {path}", file=sys.stderr)
         return None
     dims = [int(n) for n in file.rsplit("_", 2)[1].split("x")]
+    if factor > 1:
+        values = numpy.fromfile(path, numpy.uint8).reshape(dims, order="F")
+        for axis in range(3):
+            values = values.repeat(factor, axis)
+        dims = values.shape
+        path = work / f"{name}_{'x'.join(map(str, dims))}_uint8.raw"
+        values.ravel(order="F").tofile(path)
 
     def array():
         return numpy.fromfile(path, numpy.uint8).reshape(dims, order="F"), iso
@@ -144,7 +153,7 @@ def measure(arguments, volume, work, out):
 
     for _ in range(arguments.repeat):
         for command in ("count", "loops"):
-            for threads in ([1, os.cpu_count()] if command == "loops" else [os.cpu_count()]):
+            for threads in (arguments.threads if command == "loops" else [os.cpu_count()]):
                 write(run_isoloop(arguments.isoloop, volume, command, threads))
     for name in arguments.rivals:
         write(run_rival(name, arguments.phat, volume, work))
@@ -157,6 +166,7 @@ def main():
     parser.add_argument("-o", "--output", type=pathlib.Path, required=True)
     parser.add_argument("--sizes", type=int, nargs="*", default=[64, 128, 256])
     parser.add_argument("--repeat", type=int, default=1)
+    parser.add_argument("--threads", type=int, nargs="*", default=[1, os.cpu_count()])
     parser.add_argument("--rivals", nargs="*", choices=RIVALS, default=[],
                         help="gudhi and phat take minutes and gigabytes at 256")
     parser.add_argument("--only", nargs="*", help="names of shapes and real volumes")
@@ -173,7 +183,7 @@ def main():
         wanted = [lambda n=name, s=size: shape_volume(arguments.isoloop, n, s, work)
                   for size in arguments.sizes for name in SHAPES
                   if not arguments.only or name in arguments.only]
-        wanted += [lambda r=real: real_volume(arguments.data, *r) for real in REAL
+        wanted += [lambda r=real: real_volume(arguments.data, work, *r) for real in REAL
                    if not arguments.only or real[0] in arguments.only]
         for make in wanted:
             volume = make()
