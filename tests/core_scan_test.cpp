@@ -15,34 +15,17 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
-#include "core/analysis.h"
 #include "core/errors.h"
 #include "core/scan.h"
 #include "tests/random_volumes.h"
+#include "tests/scan_comparison.h"
 
 namespace isoloop {
 namespace {
 
+using testing::differences;
+using testing::numbers;
 using testing::SmallVolume;
-
-std::vector<std::int64_t> numbers(const Betti& betti, std::int64_t euler, std::int64_t genus) {
-  return {betti.b0, betti.b1, betti.b2, euler, genus};
-}
-
-/// Iso values at which scan and count differ.
-std::vector<double> differences(const AnyGridView& grid, const std::vector<double>& isos,
-                                InsideRule inside, Topology topology) {
-  const auto rows = scan_topology(grid, isos, {inside, topology, {}});
-  std::vector<double> different;
-  for (std::size_t i = 0; i < isos.size(); ++i) {
-    const Analysis counted = count_topology(grid, {isos[i], inside, topology});
-    const bool equal = rows[i].iso == isos[i] &&
-                       numbers(rows[i].betti, rows[i].euler, rows[i].genus) ==
-                           numbers(counted.betti, counted.surface.euler(), counted.surface.genus());
-    if (!equal) different.push_back(isos[i]);
-  }
-  return different;
-}
 
 /// Values of the volume, some between them and some beyond.
 std::vector<double> isos_for(const SmallVolume& volume, std::size_t most) {

@@ -62,14 +62,15 @@ isoloop_add_tests(isoloop_core_tests
   LIBRARIES isoloop::core TBB::tbb)
 target_compile_definitions(isoloop_core_tests PRIVATE ISOLOOP_SOURCE="${PROJECT_SOURCE_DIR}")
 
-# Ten thousand random volumes through both engines and repaired to genus 0, five hundred beside the least length that loops
-# can have, a million cubes and sixty fields beside their refinements: minutes, so neither built nor
-# run by default.
+# Ten thousand random volumes through both engines and repaired to genus 0, five hundred beside the
+# least length that loops can have, a million cubes and sixty fields beside their refinements, and
+# scans of real volumes beside 256 counts each: minutes, so neither built nor run by default.
 #   cmake --build --preset release --target isoloop_slow_tests
 #   build/release/tests/isoloop_slow_tests
 add_executable(isoloop_slow_tests EXCLUDE_FROM_ALL
   core_pair_slow_test.cpp
   core_repair_slow_test.cpp
+  core_scan_slow_test.cpp
   core_shortest_basis_slow_test.cpp
   core_topology_slow_test.cpp
   exact_basis.cpp
