@@ -7,8 +7,6 @@
 #include <string>
 #include <utility>
 
-#include <tbb/parallel_invoke.h>
-
 #include "core/certificate.h"
 #include "core/closest.h"
 #include "core/dual_pass.h"
@@ -17,6 +15,7 @@
 #include "core/grid_complex.h"
 #include "core/killing_border.h"
 #include "core/pair_loops.h"
+#include "core/run_both.h"
 #include "core/shortest_basis.h"
 #include "core/sides.h"
 #include "core/straighten.h"
@@ -71,7 +70,7 @@ void run_passes(const Surface& surface, Workings& workings, bool at_once) {
   const auto solve_inside = [&] { solve(workings.inside, "inside"); };
   const auto solve_outside = [&] { solve(workings.outside, "outside"); };
   if (at_once) {
-    tbb::parallel_invoke(solve_inside, solve_outside);
+    run_both(solve_inside, solve_outside);
   } else {
     solve_inside();
     solve_outside();

@@ -13,13 +13,13 @@
 #include <utility>
 
 #include <boost/sort/spreadsort/integer_sort.hpp>
-#include <tbb/parallel_invoke.h>
 
 #include "core/bit_column.h"
 #include "core/disjoint_sets.h"
 #include "core/errors.h"
 #include "core/label.h"
 #include "core/order.h"
+#include "core/run_both.h"
 #include "core/surface_order.h"
 
 namespace isoloop {
@@ -292,7 +292,7 @@ FirstCycles find_first_cycles(const Surface& surface, const SurfaceOrder& order,
   const auto run = [&](const GridComplex& complex, std::vector<FirstCycle>& cycles) {
     cycles = SidePairing(surface, order, complex, refinement).run(at_most, missing);
   };
-  tbb::parallel_invoke([&] { run(inside, found[0]); }, [&] { run(outside, found[1]); });
+  run_both([&] { run(inside, found[0]); }, [&] { run(outside, found[1]); });
   if (missing != 0)
     throw SelfCheckFailed("of " + std::to_string(surface.betti1()) +
                           " independent loops on the surface PAIR left " +

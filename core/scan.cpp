@@ -10,7 +10,6 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 #include <tbb/parallel_reduce.h>
 
 #include "core/cube_sweep.h"
@@ -18,6 +17,7 @@
 #include "core/errors.h"
 #include "core/lattice.h"
 #include "core/level.h"
+#include "core/run_both.h"
 
 namespace isoloop {
 namespace {
@@ -358,7 +358,7 @@ std::vector<ScanRow> scan_grid(const GridView<T>& grid, std::span<const double> 
       sorted_by_step(ranked.rank.size(), steps, [&](std::size_t v) { return ranked.rank[v]; });
   std::vector<std::int64_t> inside;
   std::vector<std::int64_t> outside;
-  tbb::parallel_invoke(
+  run_both(
       [&] { inside = component_counts(ranked, vertices, sweep.joins.inside, Side::inside); },
       [&] { outside = component_counts(ranked, vertices, sweep.joins.outside, Side::outside); });
   std::vector<ScanRow> rows(steps);
