@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <cstring>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <tbb/parallel_for.h>
@@ -24,10 +27,20 @@ class Plane {
         words_(per_layer_ * (std::size_t{lattice.dims[2]} + 1), ~Word{0}) {}
 
   std::size_t words_in_layer() const { return per_layer_ - pad_; }
-  Word* layer(std::uint32_t z) { return words_.data() + (std::size_t{z} + 1) * per_layer_ + pad_; }
+  Word* layer(std::uint32_t z) { return words_.data() + begin(z); }
+  const Word* layer(std::uint32_t z) const { return words_.data() + begin(z); }
   Word* layer_before(std::uint32_t z) { return layer(z) - per_layer_; }
+  const Word* layer_before(std::uint32_t z) const { return layer(z) - per_layer_; }
+
+  /// Bits by number. Those before a vertex along an axis can be read everywhere.
+  std::size_t first_bit(std::uint32_t z) const { return 64 * begin(z); }
+  std::size_t bits_in_layer() const { return 64 * per_layer_; }
+  bool operator[](std::size_t bit) const { return (words_[bit / 64] >> (bit % 64) & 1U) != 0; }
+  void insert(std::size_t bit) { words_[bit / 64] |= Word{1} << (bit % 64); }
 
  private:
+  std::size_t begin(std::uint32_t z) const { return (std::size_t{z} + 1) * per_layer_ + pad_; }
+
   std::size_t pad_;
   std::size_t per_layer_;
   std::vector<Word> words_;
@@ -62,11 +75,11 @@ class PlainRings {
   PlainRings(const GridComplex& complex, const BitSet& forest)
       : complex_(complex),
         lattice_(complex.lattice()),
-        by_x_(lattice_.stride[0]),
-        by_y_(lattice_.stride[1]),
+        back_{Back(lattice_.stride[0]), Back(lattice_.stride[1])},
         known_{Plane(lattice_), Plane(lattice_), Plane(lattice_)},
         plain_{Plane(lattice_), Plane(lattice_), Plane(lattice_)},
-        chunk_(std::max<std::size_t>(least_chunk, by_y_.words + 2)),
+        step_{lattice_.stride[0], lattice_.stride[1], known_[0].bits_in_layer()},
+        chunk_(std::max<std::size_t>(least_chunk, back_[1].words + 2)),
         chunks_((known_[0].words_in_layer() + chunk_ - 1) / chunk_),
         is_dirty_(chunks_ * lattice_.dims[2], 1),
         is_layer_dirty_(lattice_.dims[2], 1),
@@ -75,18 +88,17 @@ class PlainRings {
                       [&](std::uint32_t z) { read_layer(z, forest); });
   }
 
-  /// Slabs that are neighbours share a layer of pieces: every other slab at a time. A chain of
-  /// conclusions may cross from slab to slab many thousand times, so a round costs little where
-  /// there is little to read.
+  /// Where conclusions come in their thousands at a time they are drawn 64 at a time, else one by
+  /// one: in large boxes thin chains of them wind through all layers, millions long.
   void close() {
-    const std::uint32_t slabs = (lattice_.dims[2] + layers_in_slab - 1) / layers_in_slab;
-    std::vector<std::uint32_t> dirty;
-    for (std::uint32_t quiet = 0, parity = 0; quiet < 2; parity ^= 1U) {
-      dirty.clear();
-      for (std::uint32_t slab = parity; slab < slabs; slab += 2)
-        if (is_slab_dirty(slab)) dirty.push_back(slab);
-      quiet = dirty.empty() ? quiet + 1 : 0;
-      tbb::parallel_for(std::size_t{0}, dirty.size(), [&](std::size_t i) { close_slab(dirty[i]); });
+    for (std::vector<Edge> front = next_conclusions(); !front.empty(); front = next_conclusions()) {
+      if (front.size() > thin) {
+        sweep();
+      } else {
+        std::fill(is_layer_dirty_.begin(), is_layer_dirty_.end(), 0);
+        std::fill(is_dirty_.begin(), is_dirty_.end(), 0);
+        follow(std::move(front));
+      }
     }
   }
 
@@ -111,6 +123,12 @@ class PlainRings {
  private:
   static constexpr std::size_t least_chunk = 8;       // words
   static constexpr std::uint32_t layers_in_slab = 4;  // layers
+  static constexpr std::size_t thin = 2000;           // conclusions
+
+  struct Edge {
+    std::size_t bit;  // of its lesser end
+    std::uint32_t axis;
+  };
 
   void read_layer(std::uint32_t z, const BitSet& forest) {
     std::array<Word*, 3> known{};
@@ -134,6 +152,76 @@ class PlainRings {
           if (((edges ^ plain_edges) >> a & 1U) != 0) other_edges_[z].push_back(3 * v + a);
         }
       }
+  }
+
+  /// The edges from whose rings a piece follows, or more than `thin` of them.
+  std::vector<Edge> next_conclusions() {
+    std::vector<Edge> edges;
+    for (std::uint32_t z = 0; z < lattice_.dims[2]; ++z) {
+      if (is_layer_dirty_[z] == 0) continue;
+      for (std::size_t chunk = 0; chunk < chunks_; ++chunk) {
+        if (is_dirty_[z * chunks_ + chunk] == 0) continue;
+        for (std::size_t w = chunk * chunk_; w < chunk_end(chunk); ++w) {
+          const std::array<Word, 3> found{found_in_word<0>(z, w), found_in_word<1>(z, w),
+                                          found_in_word<2>(z, w)};
+          for (std::uint32_t a = 0; a < 3; ++a)
+            for (Word left = found[a]; left != 0; left &= left - 1)
+              edges.push_back({plain_[a].first_bit(z) + 64 * w + std::countr_zero(left), a});
+        }
+        if (edges.size() > thin) return edges;
+      }
+    }
+    return edges;
+  }
+
+  /// Draws the conclusions one by one, and those that follow, until there are many at a time:
+  /// chunks with these are dirty then.
+  void follow(std::vector<Edge> front) {
+    std::vector<Edge> next;
+    for (; !front.empty() && front.size() <= thin; std::swap(front, next)) {
+      next.clear();
+      for (const Edge& edge : front) {
+        const auto unknown = sole_unknown(edge);
+        if (!unknown) continue;
+        const auto& [bit, normal] = *unknown;
+        known_[normal].insert(bit);
+        const std::uint32_t b = (normal + 1) % 3;
+        const std::uint32_t c = (normal + 2) % 3;
+        for (const Edge& beside :
+             {Edge{bit, b}, Edge{bit, c}, Edge{bit + step_[b], c}, Edge{bit + step_[c], b}})
+          if (sole_unknown(beside)) next.push_back(beside);
+      }
+    }
+    for (const Edge& edge : front) {
+      const std::size_t z = edge.bit / step_[2] - 1;
+      is_layer_dirty_[z] = 1;
+      is_dirty_[z * chunks_ + (edge.bit - plain_[0].first_bit(z)) / 64 / chunk_] = 1;
+    }
+  }
+
+  /// The one unknown piece round an edge with a plain ring: `bit` of its lowest corner and, as
+  /// `axis`, its normal.
+  std::optional<Edge> sole_unknown(const Edge& edge) const {
+    const auto& [bit, axis] = edge;
+    if (!plain_[axis][bit]) return std::nullopt;
+    const std::uint32_t b = (axis + 1) % 3;
+    const std::uint32_t c = (axis + 2) % 3;
+    std::optional<Edge> found;
+    for (const Edge& piece :
+         {Edge{bit, b}, Edge{bit, c}, Edge{bit - step_[b], c}, Edge{bit - step_[c], b}}) {
+      if (known_[piece.axis][piece.bit]) continue;
+      if (found) return std::nullopt;
+      found = piece;
+    }
+    return found;
+  }
+
+  /// Closes the dirty slabs once. Neighbours share a layer of pieces: every other slab at a time.
+  void sweep() {
+    const std::uint32_t slabs = (lattice_.dims[2] + layers_in_slab - 1) / layers_in_slab;
+    for (std::uint32_t parity = 0; parity < 2; ++parity)
+      tbb::parallel_for(std::uint32_t{0}, (slabs + 1 - parity) / 2,
+                        [&](std::uint32_t i) { close_slab(2 * i + parity); });
   }
 
   std::uint32_t slab_end(std::uint32_t slab) const {
@@ -179,53 +267,68 @@ class PlainRings {
     }
   }
 
+  std::size_t chunk_end(std::size_t chunk) const {
+    return std::min((chunk + 1) * chunk_, known_[0].words_in_layer());
+  }
+
   /// Says whether anything followed.
   bool close_chunk(std::uint32_t z, std::size_t chunk) {
-    const std::size_t begin = chunk * chunk_;
-    const std::size_t end = std::min(begin + chunk_, known_[0].words_in_layer());
     bool any = false;
-    for (std::size_t w = begin; w < end; ++w)
-      while (close_word(z, w)) any = true;
+    for (std::size_t w = chunk * chunk_; w < chunk_end(chunk); ++w)
+      for (bool found = true; found; any = any || found) {
+        found = close_word<0>(z, w);
+        found = close_word<1>(z, w) || found;
+        found = close_word<2>(z, w) || found;
+      }
     return any;
   }
 
-  /// Edge v along a, with b and c across: normal c at v and before it along b, normal b at v and
-  /// before it along c.
+  template <std::uint32_t axis>
   bool close_word(std::uint32_t z, std::size_t w) {
-    const std::array<Word*, 3> here{known_[0].layer(z) + w, known_[1].layer(z) + w,
-                                    known_[2].layer(z) + w};
-    Word* const x_below = known_[0].layer_before(z) + w;
-    Word* const y_below = known_[1].layer_before(z) + w;
-    bool any = false;
-    const auto conclude = [&](std::size_t a, Word* p, Word* q, Word r, Word s, const auto& insert_r,
-                              const auto& insert_s) {
-      const Word found = all_but_one(*p, *q, r, s) & plain_[a].layer(z)[w];
-      if (found == 0) return;
-      any = true;
-      *p |= found;
-      *q |= found;
-      insert_r(found);
-      insert_s(found);
-    };
-    conclude(
-        0, here[2], here[1], by_y_.read(here[2]), *y_below,
-        [&](Word found) { by_y_.insert(here[2], found); }, [&](Word found) { *y_below |= found; });
-    conclude(
-        1, here[0], here[2], *x_below, by_x_.read(here[2]), [&](Word found) { *x_below |= found; },
-        [&](Word found) { by_x_.insert(here[2], found); });
-    conclude(
-        2, here[1], here[0], by_x_.read(here[1]), by_y_.read(here[0]),
-        [&](Word found) { by_x_.insert(here[1], found); },
-        [&](Word found) { by_y_.insert(here[0], found); });
-    return any;
+    const Word found = found_in_word<axis>(z, w);
+    if (found == 0) return false;
+    constexpr std::uint32_t b = (axis + 1) % 3;
+    constexpr std::uint32_t c = (axis + 2) % 3;
+    known_[b].layer(z)[w] |= found;
+    known_[c].layer(z)[w] |= found;
+    insert_before<c, b>(z, w, found);
+    insert_before<b, c>(z, w, found);
+    return true;
+  }
+
+  /// The edges along `axis` at the vertices of a word from whose plain rings a piece follows. With
+  /// b and c across: normal c at the vertex and before it along b, normal b there and along c.
+  template <std::uint32_t axis>
+  Word found_in_word(std::uint32_t z, std::size_t w) const {
+    constexpr std::uint32_t b = (axis + 1) % 3;
+    constexpr std::uint32_t c = (axis + 2) % 3;
+    return all_but_one(known_[b].layer(z)[w], known_[c].layer(z)[w], read_before<c, b>(z, w),
+                       read_before<b, c>(z, w)) &
+           plain_[axis].layer(z)[w];
+  }
+
+  template <std::uint32_t normal, std::uint32_t along>
+  Word read_before(std::uint32_t z, std::size_t w) const {
+    if constexpr (along == 2)
+      return known_[normal].layer_before(z)[w];
+    else
+      return back_[along].read(known_[normal].layer(z) + w);
+  }
+
+  template <std::uint32_t normal, std::uint32_t along>
+  void insert_before(std::uint32_t z, std::size_t w, Word found) {
+    if constexpr (along == 2)
+      known_[normal].layer_before(z)[w] |= found;
+    else
+      back_[along].insert(known_[normal].layer(z) + w, found);
   }
 
   const GridComplex& complex_;
   const Lattice& lattice_;
-  Back by_x_;
-  Back by_y_;
+  std::array<Back, 2> back_;                  // by axis
   std::array<Plane, 3> known_;                // by normal: of the face with lowest corner v
   std::array<Plane, 3> plain_;                // by direction: of the edge from v
+  std::array<std::size_t, 3> step_;           // bits, by axis
   std::size_t chunk_;                         // words
   std::size_t chunks_;                        // in a layer
   std::vector<std::uint8_t> is_dirty_;        // by layer and chunk: whether anything may follow
