@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/bit_set.h"
+
 namespace isoloop {
 
 /// Links the larger root below the smaller and halves paths: the roots are the least members, so
@@ -43,13 +45,17 @@ class DisjointSets {
       parent_[member] = parent_[parent_[member]];  // parents come first
   }
 
-  /// The number of each member's set, 0, 1, … by least member; `count` is set to how many there
-  /// are.
-  std::vector<std::uint32_t> numbers(std::uint32_t& count) && {
+  /// The number of each member's set, 0, 1, … by least member, for the sets with a root in `roots`;
+  /// `count` is set to how many these are. Members of other sets get any number.
+  std::vector<std::uint32_t> numbers(const BitSet& roots, std::uint32_t& count) && {
     flatten();
     count = 0;
-    for (std::uint32_t member = 0; member < member_count(); ++member)
-      parent_[member] = parent_[member] == member ? count++ : parent_[parent_[member]];
+    for (std::uint32_t member = 0; member < member_count(); ++member) {
+      if (parent_[member] != member)
+        parent_[member] = parent_[parent_[member]];
+      else
+        parent_[member] = roots[member] ? count++ : 0;
+    }
     return std::move(parent_);
   }
 

@@ -25,8 +25,8 @@ void check_memory(const char* stage, std::uint64_t needed, std::uint64_t limit) 
 }
 
 // Held from stage to stage: 2.5 bytes a lattice vertex for the sides, 4 for the closest vertices,
-// 12.5 for the sizes at most; about 110 a surface vertex for M and its graph. A pass holds 8 a
-// lattice vertex.
+// 12.5 for the sizes at most; about 110 a surface vertex for M and its graph. The trees of a pass
+// and their open pieces take 10 a lattice vertex, those of both sides at once 16.
 
 std::uint64_t surface_bytes(std::uint64_t lattice, std::uint64_t surface) {
   return 5 * lattice / 2 + 170 * surface;
@@ -42,7 +42,7 @@ std::uint64_t sizes_bytes(std::uint64_t lattice, std::uint64_t surface) {
 
 std::uint64_t pass_bytes(std::uint64_t lattice, std::uint64_t surface, std::uint64_t sizes,
                          std::uint64_t sides_at_once) {
-  return (13 + 16 * sides_at_once) * lattice / 2 + 130 * surface + sizes;
+  return (21 + 12 * sides_at_once) * lattice / 2 + 130 * surface + sizes;
 }
 
 }  // namespace isoloop

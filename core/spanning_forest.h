@@ -176,8 +176,14 @@ BitSet largest_forest(const C& complex) {
     const std::uint32_t end = std::min((s + 1) * slab, layers - 1);
     open[s] = ForestOfLayers<C>(complex, s * slab, end, cells, is_bound).grow(forest);
   });
+  // Most trees are single cells of the other side, which nothing touches.
+  BitSet touched(complex.cell_bound());
+  tbb::parallel_for(std::size_t{0}, open.size(), [&](std::size_t i) {
+    for (const std::uint32_t piece : open[i])
+      for (const std::uint32_t cell : complex.cells(piece)) touched.insert_shared(cells.root(cell));
+  });
   std::uint32_t tree_count = 0;
-  const std::vector<std::uint32_t> tree_of_cell = std::move(cells).numbers(tree_count);
+  const std::vector<std::uint32_t> tree_of_cell = std::move(cells).numbers(touched, tree_count);
   join_trees(complex, tree_of_cell, tree_count, open, forest);
   return forest;
 }
