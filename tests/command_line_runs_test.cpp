@@ -198,6 +198,24 @@ TEST_F(CommandLine, GeneratedLevelSetNeedsNoFlags) {
   EXPECT_EQ(Json::parse(read.out).at("betti"), Json({{"b0", 1}, {"b1", 1}, {"b2", 0}}));
 }
 
+TEST_F(CommandLine, GeneratedLevelSetHoldsANarrowBandAndHasTheSameLoops) {
+  const std::string raw = "t_160x160x58_float32.raw";
+  for (const std::string& file : {std::string("t.vdb"), raw})
+    ASSERT_EQ(run({"generate", "torus", "--size", "160", "-o", file}).exit_code, 0);
+  EXPECT_LT(3 * std::filesystem::file_size(scratch_.path() / "t.vdb"),
+            std::filesystem::file_size(scratch_.path() / raw));
+  const ProcessResult band = run({"loops", "t.vdb", "--json", "-"});
+  const ProcessResult whole = run({"loops", raw, "--inside", "below", "--iso", "0", "--json", "-"});
+  ASSERT_EQ(whole.exit_code, 0) << whole.err;
+  for (const char* kind : {"handles", "tunnels"}) {
+    const auto length = [&](const ProcessResult& result) {
+      return Json::parse(result.out).at("total").at(kind).at("length").get<double>();
+    };
+    EXPECT_GT(length(band), 0.0);
+    EXPECT_NEAR(length(band) / length(whole), 1.0, 0.01) << kind;
+  }
+}
+
 TEST_F(CommandLine, SameBytesForEveryThreadCount) {
   ASSERT_EQ(run({"generate", "lattice", "--size", "48", "-o", "b.vdb"}).exit_code, 0);
   Words outputs;

@@ -51,10 +51,11 @@ void generate(const GenerateFlags& flags) {
     throw InvalidArgument(flags.output + ": volumes are written as " + written_extensions());
   }
   check_writable(path);
-  const Shape shape = make_shape(flags.shape, flags.options);
+  Shape shape = make_shape(flags.shape, flags.options);
   if (voxel_type(shape.volume.values) != VoxelType::float32) {
     throw SelfCheckFailed("a shape must be made of float32 voxels");
   }
+  if (*kind == FileKind::vdb) clip_to_narrow_band(shape);
   write_volume(shape.volume, path);
   std::cerr << "isoloop: wrote " << flags.output << ", ";
   if (shape.known) {

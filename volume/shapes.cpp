@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <tbb/parallel_for.h>
+
 #include "core/errors.h"
 #include "volume/curve_distance.h"
 #include "volume/engine_block.h"
@@ -260,6 +262,14 @@ Shape make_shape(std::string_view name, const ShapeOptions& options) {
   }
   check_voxel_memory({options.size, 1, 1}, sizeof(float), 0, std::string(name));
   return recipe.make(shape_extent(options.size), options);
+}
+
+void clip_to_narrow_band(Shape& shape) {
+  constexpr float half_width = 3.0F;  // voxels
+  auto& values = std::get<std::vector<float>>(shape.volume.values);
+  tbb::parallel_for(std::size_t{0}, values.size(), [&](std::size_t i) {
+    values[i] = std::clamp(values[i], -half_width, half_width);
+  });
 }
 
 }  // namespace isoloop

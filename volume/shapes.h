@@ -44,4 +44,8 @@ std::int64_t minimum_shape_size(std::string_view name, const ShapeOptions& optio
 /// LimitExceeded (more voxels than memory). The same bytes for any number of threads.
 Shape make_shape(std::string_view name, const ShapeOptions& options = {});
 
+/// Bounds a shape's distances to 3 voxels on either side of the surface, as level sets are kept in
+/// .vdb files: all beyond is two values, which take no room there.
+void clip_to_narrow_band(Shape& shape);
+
 }  // namespace isoloop
