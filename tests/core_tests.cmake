@@ -17,6 +17,7 @@ isoloop_add_tests(isoloop_core_tests
     core_dual_pass_test.cpp
     core_edge_index_test.cpp
     core_edge_set_test.cpp
+    core_features_test.cpp
     core_geodesic_size_test.cpp
     core_geodesic_test.cpp
     core_grid_complex_test.cpp
