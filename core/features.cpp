@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -11,7 +12,9 @@
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
+#include "core/errors.h"
 #include "core/triangle_fans.h"
 
 namespace isoloop {
@@ -286,20 +289,54 @@ class Sweep {
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
 };
 
+// Bytes a vertex of M: of M with its graph; of the fans and of a search, both at most.
+constexpr std::uint64_t surface_share = 110;
+constexpr std::uint64_t fans_share = 28;
+constexpr std::uint64_t search_share = 32;
+
+/// How many searches the memory has room for. Throws LimitExceeded if for none.
+int searches_at_once(std::uint64_t vertices, std::uint64_t max_bytes) {
+  const std::uint64_t shared = (surface_share + fans_share) * vertices;
+  const std::uint64_t one = search_share * vertices;
+  check_memory("features", shared + one, max_bytes);
+  const auto threads = static_cast<std::uint64_t>(tbb::this_task_arena::max_concurrency());
+  return static_cast<int>(std::min(threads, (max_bytes - shared) / one));
+}
+
 }  // namespace
 
 std::vector<Feature> features_of(const Surface& surface, const std::vector<Loop>& loops,
                                  const FeatureOptions& options) {
   std::vector<Feature> features(loops.size());
   if (loops.empty()) return features;
+  const std::uint64_t vertices = surface.points.size();
+  tbb::task_arena arena(searches_at_once(vertices, options.max_bytes));
+  const std::uint64_t room =
+      options.max_bytes - (surface_share + fans_share + search_share) * vertices;
   const TriangleFans fans(surface);
   tbb::enumerable_thread_specific<Sweep> sweeps(
       [&] { return Sweep(surface, fans, options.ratio); });
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, loops.size(), 1), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i)
-      features[i] = sweeps.local().run(loops[i]);
+  std::atomic<std::uint64_t> kept = 0;
+  const auto run = [&](std::size_t i) {
+    features[i] = sweeps.local().run(loops[i]);
+    features[i].vertices.shrink_to_fit();
+    kept += sizeof(std::uint32_t) * features[i].vertices.size();
+    if (kept <= room) return;
+    throw LimitExceeded("the vertices of the features outgrow " + bytes_text(room) +
+                        ", which is what the limit leaves; raise --max-memory or crop the volume");
+  };
+  arena.execute([&] {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, loops.size(), 1), [&](const auto& range) {
+      for (std::size_t i = range.begin(); i < range.end(); ++i) run(i);
+    });
   });
   return features;
+}
+
+std::uint64_t held_bytes(const Surface& surface, const std::vector<Feature>& features) {
+  std::uint64_t bytes = surface_share * surface.points.size();
+  for (const Feature& feature : features) bytes += sizeof(std::uint32_t) * feature.vertices.size();
+  return bytes;
 }
 
 }  // namespace isoloop

@@ -7,6 +7,7 @@
 
 #include "core/grid.h"
 #include "core/loops.h"
+#include "core/memory_budget.h"
 #include "core/surface.h"
 
 namespace isoloop {
@@ -17,6 +18,7 @@ struct FeatureOptions {
   /// the way: 1.5 ends half a radius beyond the mouth, and leaves a front that zigzags along the
   /// edges of M, or widens a little, alone.
   double ratio = 1.5;
+  std::uint64_t max_bytes = unlimited_bytes;  // to hold beside the grid's voxels, M among them
 };
 
 /// What the two fronts sweep that leave a loop to either side at equal speed along M's edges.
@@ -43,8 +45,12 @@ struct Feature {
 
 /// For each loop, in their order: Dijkstra's search from all vertices of its curves at once, each
 /// side until its front is too long or gone (Dey, Li, Sun, Cohen-Steiner, SIGGRAPH 2008, section
-/// 6). The surface must be closed, with its graph, and the loops on it.
+/// 6). The surface must be closed, with its graph, and the loops on it. Throws LimitExceeded where
+/// searches, or the vertices that they sweep, would take more than options.max_bytes.
 std::vector<Feature> features_of(const Surface& surface, const std::vector<Loop>& loops,
                                  const FeatureOptions& options = {});
+
+/// Bytes that M with its graph takes, and the vertices of the features.
+std::uint64_t held_bytes(const Surface& surface, const std::vector<Feature>& features);
 
 }  // namespace isoloop

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/analysis.h"
+#include "core/errors.h"
 #include "core/features.h"
 #include "tests/core_fixture.h"
 #include "tests/random_volumes.h"
@@ -180,6 +181,20 @@ TEST(Features, OfRandomLoopsHoldTheLoopAndAreNoWiderThanIt) {
           EXPECT_TRUE(std::binary_search(feature.vertices.begin(), feature.vertices.end(), vertex));
     }
   }
+}
+
+TEST(Features, AskForRoomBeforeTheyTakeIt) {
+  const Features features(bored_plate(5.0, 7.0));
+  const Analysis& analysis = features.analysis;
+  const auto with = [&](std::uint64_t bytes) {
+    return features_of(analysis.surface, analysis.loops, {.max_bytes = bytes});
+  };
+  const std::uint64_t searching = 170 * analysis.surface.points.size();
+  std::uint64_t kept = 0;
+  for (const Feature& feature : features.all) kept += 4 * feature.vertices.size();
+  EXPECT_THROW(with(searching - 1), LimitExceeded);
+  EXPECT_THROW(with(searching + kept - 1), LimitExceeded);
+  EXPECT_EQ(with(searching + kept).size(), 2U);
 }
 
 TEST(Features, OfALoopAloneAreThoseAmongMany) {
