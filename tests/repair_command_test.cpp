@@ -86,6 +86,24 @@ TEST_F(RepairCommand, KeepsTheTypeAndGeometryOfAnOpenVdbFile) {
     EXPECT_EQ(after["input"][field], before["input"][field]) << field;
 }
 
+TEST_F(RepairCommand, KeepsTheTypeAndGeometryOfAnNrrdFile) {
+  scratch_.write("ring.nrrd",
+                 "NRRD0004\ntype: uchar\ndimension: 3\nspace: left-posterior-superior\n"
+                 "sizes: 5 5 3\nspace directions: (0,0.5,0) (-0.5,0,0) (0,0,2)\n"
+                 "space origin: (1,-2,3.25)\nencoding: raw\n\n" +
+                     ring_bytes());
+  const ProcessResult result =
+      run({"repair", "ring.nrrd", "--iso", "1", "--fill-tunnels", "100", "-o", "o.nrrd"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json before = Json::parse(run({"count", "ring.nrrd", "--iso", "1", "--json", "-"}).out);
+  const Json after = Json::parse(run({"count", "o.nrrd", "--iso", "1", "--json", "-"}).out);
+  EXPECT_EQ(before["betti"]["b1"], 1);
+  EXPECT_EQ(after["betti"]["b1"], 0);
+  for (const char* field : {"dims", "type", "spacing", "origin", "direction"})
+    EXPECT_EQ(after["input"][field], before["input"][field]) << field;
+  EXPECT_EQ(after["conventions"]["coordinates"], before["conventions"]["coordinates"]);
+}
+
 TEST_F(RepairCommand, RefusesWhatMakesNoSense) {
   const Words repair{"repair", ring_, "--iso", "1"};
   const auto with = [&](Words more) {
@@ -96,6 +114,7 @@ TEST_F(RepairCommand, RefusesWhatMakesNoSense) {
   expect_failure(with({"--genus", "0"}), 2, "--output");
   expect_failure(with({"--genus", "0", "-o", ring_}), 2, "would overwrite the input");
   expect_failure(with({"--genus", "0", "-o", "out.vdb"}), 2, "same format");
+  expect_failure(with({"--genus", "0", "-o", "out.nii"}), 2, "written as .raw, .nrrd or .vdb");
   expect_failure(with({"--ids", "1", "-o", out_}), 2, "h1 or t1");
   expect_failure(with({"--ids", "h2", "-o", out_}), 2, "there is no handle 2");
   expect_failure(with({"--ids", "x", "--side", "handle", "-o", out_}), 2, "'x' is no id");

@@ -18,5 +18,11 @@ TEST(FileKind, GoesByTheExtensionWhateverItsCase) {
   EXPECT_FALSE(file_kind(""));
 }
 
+TEST(FileKind, IsWrittenAsOneFileOnly) {
+  for (const char* name : {"a.raw", "a.NRRD", "a.vdb"}) EXPECT_TRUE(is_written(name)) << name;
+  for (const char* name : {"a.nhdr", "a.nii", "a.npy", "a.txt", "nrrd", ""})
+    EXPECT_FALSE(is_written(name)) << name;
+}
+
 }  // namespace
 }  // namespace isoloop

@@ -60,6 +60,58 @@ TEST(WriteVolume, VdbKeepsValuesTransformClassAndName) {
   EXPECT_EQ(read.front(), static_cast<float>(value_range(torus).max));
 }
 
+template <class T>
+VoxelArray counting_voxels(std::size_t count) {
+  std::vector<T> values;
+  for (std::size_t i = 0; i < count; ++i) values.push_back(static_cast<T>(i * 7 - 20));
+  return values;
+}
+
+TEST(WriteVolume, NrrdKeepsEveryTypeAndItsVoxels) {
+  const TempFolder folder;
+  Volume volume;
+  volume.dims = {4, 3, 2};
+  for (const VoxelArray& values :
+       {counting_voxels<std::uint8_t>(24), counting_voxels<std::int8_t>(24),
+        counting_voxels<std::uint16_t>(24), counting_voxels<std::int16_t>(24),
+        counting_voxels<std::uint32_t>(24), counting_voxels<std::int32_t>(24),
+        counting_voxels<float>(24), counting_voxels<double>(24)}) {
+    volume.values = values;
+    write_volume(volume, folder / "a.nrrd");
+    const Volume back = read_volume(folder / "a.nrrd");
+    EXPECT_EQ(back.dims, volume.dims);
+    EXPECT_EQ(back.values, values) << type_name(values);
+  }
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(WriteVolume, NrrdKeepsWhereTheVoxelsLie) {
+  const TempFolder folder;
+  Volume volume = make_shape("torus", {.size = 20}).volume;
+  volume.frame = Frame::index;
+  volume.spacing = {0.5, 0.25, 2.0};
+  volume.origin = {};
+  write_volume(volume, folder / "index.nrrd");
+  const Volume plain = read_volume(folder / "index.nrrd");
+  EXPECT_EQ(plain.frame, Frame::index);
+  EXPECT_EQ(plain.spacing, volume.spacing);
+  EXPECT_EQ(plain.origin, volume.origin);
+  volume.origin = {10.0, -20.125, 1e-7};
+  volume.direction = {Vec3{0.6, 0.8, 0.0}, Vec3{-0.8, 0.6, 0.0}, Vec3{0.0, 0.0, -1.0}};
+  for (const Frame frame : {Frame::world, Frame::lps, Frame::ras}) {
+    volume.frame = frame;
+    write_volume(volume, folder / "turned.nrrd");
+    const Volume back = read_volume(folder / "turned.nrrd");
+    EXPECT_EQ(back.frame, frame);
+    EXPECT_EQ(back.origin, volume.origin);
+    for (std::size_t a = 0; a < 3; ++a) {
+      EXPECT_NEAR(back.spacing[a], volume.spacing[a], 1e-12);
+      for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_NEAR(back.direction[a][c], volume.direction[a][c], 1e-12);
+    }
+  }
+}
+
 TEST(WriteVolume, VdbIsStableOnceItHasBeenRead) {
   const TempFolder folder;
   write_volume(make_shape("ball", {.size = 16}).volume, folder / "one.vdb");

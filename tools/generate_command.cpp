@@ -46,8 +46,7 @@ std::string read_back_flags(const std::filesystem::path& path, const Shape& shap
 
 void generate(const GenerateFlags& flags) {
   const std::filesystem::path path(flags.output);
-  const std::optional<FileKind> kind = file_kind(path);
-  if (!kind || !is_written(*kind)) {
+  if (!is_written(path)) {
     throw InvalidArgument(flags.output + ": volumes are written as " + written_extensions());
   }
   check_writable(path);
@@ -55,7 +54,7 @@ void generate(const GenerateFlags& flags) {
   if (voxel_type(shape.volume.values) != VoxelType::float32) {
     throw SelfCheckFailed("a shape must be made of float32 voxels");
   }
-  if (*kind == FileKind::vdb) clip_to_narrow_band(shape);
+  if (file_kind(path) == FileKind::vdb) clip_to_narrow_band(shape);
   write_volume(shape.volume, path);
   std::cerr << "isoloop: wrote " << flags.output << ", ";
   if (shape.known) {
@@ -83,7 +82,7 @@ void add_generate_command(CLI::App& app) {
   command.add_option("--cells", flags->options.cells, "cells of a lattice along each axis")
       ->type_name("M")
       ->capture_default_str();
-  command.add_option("-o,--output", flags->output, "file to write: .vdb or .raw")
+  command.add_option("-o,--output", flags->output, "file to write: .vdb, .nrrd or .raw")
       ->type_name("FILE")
       ->required();
   command.footer(

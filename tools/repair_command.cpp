@@ -35,6 +35,10 @@ struct CommandFlags {
 
 /// The output has the input's format, so that it keeps its type and geometry.
 void check_format(const CommandFlags& flags, const Volume& volume) {
+  if (!is_written(flags.output)) {
+    throw InvalidArgument("--output " + flags.output + ": volumes are written as " +
+                          written_extensions());
+  }
   const auto kind = file_kind(flags.volume.file);
   if (file_kind(flags.output) != kind) {
     throw InvalidArgument("--output " + flags.output + " must be a file of the same format as " +

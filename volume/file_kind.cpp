@@ -1,8 +1,9 @@
 #include "volume/file_kind.h"
 
-#include <algorithm>
 #include <array>
 #include <string_view>
+
+#include "volume/header_text.h"
 
 namespace isoloop {
 namespace {
@@ -28,13 +29,14 @@ constexpr std::array<Extension, 14> extensions{{{".raw", FileKind::raw},
                                                 {".npy", FileKind::npy},
                                                 {".vti", FileKind::vti}}};
 
+std::string lower_case_name(const std::filesystem::path& path) {
+  return lower_case(path.filename().string());
+}
+
 }  // namespace
 
 std::optional<FileKind> file_kind(const std::filesystem::path& path) {
-  std::string name = path.filename().string();
-  std::transform(name.begin(), name.end(), name.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
+  std::string name = lower_case_name(path);
   const bool packed = name.ends_with(".gz");
   if (packed) name.resize(name.size() - 3);
   for (const auto& [text, kind] : extensions) {
@@ -54,8 +56,12 @@ std::string supported_extensions() {
   return text;
 }
 
-bool is_written(FileKind kind) { return kind == FileKind::raw || kind == FileKind::vdb; }
+bool is_written(const std::filesystem::path& path) {
+  const std::optional<FileKind> kind = file_kind(path);
+  if (kind == FileKind::nrrd) return lower_case_name(path).ends_with(".nrrd");
+  return kind == FileKind::raw || kind == FileKind::vdb;
+}
 
-std::string written_extensions() { return ".raw or .vdb"; }
+std::string written_extensions() { return ".raw, .nrrd or .vdb"; }
 
 }  // namespace isoloop

@@ -15,10 +15,10 @@ std::optional<FileKind> file_kind(const std::filesystem::path& path);
 /// ".raw, .vdb, ... or .nii", for messages: of the files that isoloop reads.
 std::string supported_extensions();
 
-/// Whether isoloop writes volumes of this kind too: .raw and .vdb.
-bool is_written(FileKind kind);
+/// Whether isoloop writes volumes to files of this name too: .raw, .nrrd and .vdb.
+bool is_written(const std::filesystem::path& path);
 
-/// ".raw or .vdb", for messages.
+/// ".raw, .nrrd or .vdb", for messages.
 std::string written_extensions();
 
 }  // namespace isoloop

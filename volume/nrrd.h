@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
 
 #include "volume/memory_limit.h"
 #include "volume/placement.h"
@@ -18,5 +19,9 @@ namespace isoloop {
 /// place() refuses.
 Volume read_nrrd(const std::filesystem::path& path, const FormatOptions& options = {},
                  const VoxelLimits& limits = {});
+
+/// Writes a header and the voxels, raw and little-endian, in their stored type. The frame is kept:
+/// a volume of frame `index` states spacings and no space. A failure shows in the stream's state.
+void write_nrrd(std::ostream& out, const Volume& volume);
 
 }  // namespace isoloop

@@ -3,23 +3,32 @@
 #include "core/errors.h"
 #include "volume/atomic_file.h"
 #include "volume/file_kind.h"
+#include "volume/nrrd.h"
 #include "volume/raw.h"
 #include "volume/vdb.h"
 
 namespace isoloop {
 
 void write_volume(const Volume& volume, const std::filesystem::path& path) {
-  const std::optional<FileKind> kind = file_kind(path);
-  if (!kind || !is_written(*kind)) {
+  if (!is_written(path)) {
     throw InvalidArgument(path.string() + ": volumes are written as " + written_extensions());
   }
   AtomicFile file(path);
-  if (*kind == FileKind::raw) {
-    write_raw(file.stream(), volume);
-  } else {
-    write_vdb(file.stream(), volume, path.string());
-  }
+  write_volume(file.stream(), volume, path);
   file.commit();
+}
+
+void write_volume(std::ostream& out, const Volume& volume, const std::filesystem::path& path) {
+  switch (file_kind(path).value_or(FileKind::raw)) {
+    case FileKind::vdb:
+      write_vdb(out, volume, path.string());
+      break;
+    case FileKind::nrrd:
+      write_nrrd(out, volume);
+      break;
+    default:
+      write_raw(out, volume);
+  }
 }
 
 }  // namespace isoloop
