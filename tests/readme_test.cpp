@@ -168,10 +168,11 @@ TEST(Readme, ExplainsEveryFieldOfTheJsonAndEveryColumnOfTheTables) {
   ASSERT_EQ(
       run_isoloop(scratch.path(), {"generate", "torus", "--size", "32", "-o", "t.vdb"}).exit_code,
       0);
-  ASSERT_EQ(run_isoloop(scratch.path(), {"loops", "t.vdb", "--engine", "pair", "--json", "t.json",
-                                         "--csv", "t.csv", "--dump-pairs", "pairs.csv"})
-                .exit_code,
-            0);
+  ASSERT_EQ(
+      run_isoloop(scratch.path(), {"loops", "t.vdb", "--engine", "pair", "--features", "--json",
+                                   "t.json", "--csv", "t.csv", "--dump-pairs", "pairs.csv"})
+          .exit_code,
+      0);
   std::set<std::string> fields;
   collect_keys(Json::parse(scratch.read("t.json")), fields);
   for (const char* table : {"t.csv", "pairs.csv"})

@@ -31,6 +31,15 @@ TEST(ReportCsv, KnowsNoSideOfALoopWithAnOpenBoundary) {
       std::string::npos);
 }
 
+TEST(ReportCsv, TellsOfFeaturesWhereAskedTo) {
+  const std::string csv = csv_of(torus_run_with_features());
+  EXPECT_NE(csv.find("certificate_outside,label,area,depth,thickness,least_girth,mean_girth,"
+                     "axis_x,axis_y,axis_z\n"),
+            std::string::npos);
+  EXPECT_NE(csv.find("nontrivial,trivial,2,9,0.5,3.18309886183790"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",10,10.25,0,0,1\n"), std::string::npos) << csv;
+}
+
 TEST(ReportCsv, HasOnlyItsHeadWithoutLoops) {
   const std::string csv = csv_of(empty_run());
   EXPECT_EQ(csv.find('\n'), csv.size() - 1);

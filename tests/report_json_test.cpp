@@ -53,6 +53,16 @@ TEST(ReportJson, HasTheNamesOfTheDesign) {
       (std::vector<std::string>{"read", "surface", "closest", "sizes", "pass", "loops", "total"}));
 }
 
+TEST(ReportJson, TellsOfFeaturesWhereAskedTo) {
+  const Json json = parsed(torus_run_with_features());
+  EXPECT_EQ(json["loops"][0]["feature"],
+            Json::parse(R"({"label": 1, "area": 4.0, "axis": [0.0, 1.0, 0.0], "depth": 1.5,
+                            "thickness": 0.6366197723675814, "least_girth": 2.0,
+                            "mean_girth": 2.25})"));
+  EXPECT_EQ(json["loops"][1]["feature"]["label"], 2);
+  EXPECT_FALSE(parsed(torus_run())["loops"][0].contains("feature"));
+}
+
 TEST(ReportJson, TellsNoSidesApartWithAnOpenBoundary) {
   const Json json = parsed(open_run());
   EXPECT_EQ(json.at("components").at(0).at("bounds"), "unknown");

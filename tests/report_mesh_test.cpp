@@ -18,6 +18,7 @@ namespace {
 struct Vertex {
   std::array<float, 3> position{};
   std::array<std::uint8_t, 3> colour{};
+  std::int32_t label = -1;  // of files that state one
 };
 
 struct Mesh {
@@ -40,11 +41,14 @@ Mesh mesh_of(const RunResult& run) {
   mesh.header = bytes.substr(0, place);
   mesh.vertices.resize(count_after(mesh.header, "element vertex "));
   mesh.faces.resize(count_after(mesh.header, "element face "));
-  EXPECT_EQ(bytes.size(), place + 15 * mesh.vertices.size() + 13 * mesh.faces.size());
+  const bool labelled = mesh.header.find("property int label\n") != std::string::npos;
+  const std::size_t vertex_bytes = labelled ? 19 : 15;
+  EXPECT_EQ(bytes.size(), place + vertex_bytes * mesh.vertices.size() + 13 * mesh.faces.size());
   for (Vertex& vertex : mesh.vertices) {
     std::memcpy(vertex.position.data(), bytes.data() + place, 12);
     std::memcpy(vertex.colour.data(), bytes.data() + place + 12, 3);
-    place += 15;
+    if (labelled) std::memcpy(&vertex.label, bytes.data() + place + 15, 4);
+    place += vertex_bytes;
   }
   for (auto& face : mesh.faces) {
     EXPECT_EQ(bytes[place], 3);
@@ -68,6 +72,17 @@ TEST(ReportMesh, HoldsTheSurfaceAndATubeForEachLoop) {
       EXPECT_LT(corner, static_cast<std::int32_t>(mesh.vertices.size()));
     }
   }
+}
+
+TEST(ReportMesh, LabelsVerticesWhereItTellsOfFeatures) {
+  const Mesh mesh = mesh_of(torus_run_with_features());
+  constexpr std::size_t one_tube = std::size_t{3} * tube_sides;
+  ASSERT_EQ(mesh.vertices.size(), 9 + 2 * one_tube);
+  const std::vector<std::int32_t> labels{1, 1, 1, 1, 1, 1, 2, 2, 0};
+  for (std::size_t i = 0; i < 9; ++i) EXPECT_EQ(mesh.vertices[i].label, labels[i]);
+  for (std::size_t i = 0; i < 2 * one_tube; ++i)
+    EXPECT_EQ(mesh.vertices[9 + i].label, i < one_tube ? 1 : 2);
+  EXPECT_EQ(mesh_of(torus_run()).vertices[0].label, -1) << "without features no label";
 }
 
 TEST(ReportMesh, DrawsGeodesicsWhereThereAreAny) {

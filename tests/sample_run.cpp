@@ -78,6 +78,24 @@ RunResult torus_run() {
   return run;
 }
 
+RunResult torus_run_with_features() {
+  RunResult run = torus_run();
+  run.with_features = true;
+  run.features = {{.area = 4.0,
+                   .axis = {0.0, 1.0, 0.0},
+                   .depth = 1.5,
+                   .least_girth = 2.0,
+                   .mean_girth = 2.25,
+                   .vertices = {0, 1, 2, 3, 4, 5}},
+                  {.area = 9.0,
+                   .axis = {0.0, 0.0, 1.0},
+                   .depth = 0.5,
+                   .least_girth = 10.0,
+                   .mean_girth = 10.25,
+                   .vertices = {0, 3, 6, 7}}};
+  return run;
+}
+
 RunResult open_run() {
   RunResult run = torus_run();
   Surface& surface = run.analysis.surface;

@@ -10,6 +10,10 @@ namespace isoloop {
 /// spacing 0.5 and its origin at (100, 0, 0).
 RunResult torus_run();
 
+/// The same with features, of which reports tell: the handle's holds vertices 0 to 5, the tunnel's
+/// 0, 3, 6 and 7.
+RunResult torus_run_with_features();
+
 /// The torus cut open by the border of the volume between angles 2 and 0 round the axis: a tube
 /// with two border curves. Its one loop is of kind `loop` and runs through vertices 0 1 2.
 RunResult open_run();

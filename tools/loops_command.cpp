@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,12 +17,15 @@
 #include "tools/progress.h"
 #include "tools/report_csv.h"
 #include "tools/report_curves.h"
+#include "tools/report_features.h"
 #include "tools/report_json.h"
 #include "tools/report_mesh.h"
 #include "tools/report_pairs.h"
 #include "tools/report_stats.h"
 #include "tools/report_surface.h"
 #include "tools/report_table.h"
+#include "volume/file_kind.h"
+#include "volume/write.h"
 
 namespace isoloop {
 namespace {
@@ -35,6 +39,9 @@ struct LoopsFlags {
   std::string html;                  // file, "-" or empty
   std::vector<std::string> curves;   // files
   std::vector<std::string> surface;  // files
+  bool features = false;
+  std::optional<double> feature_ratio;
+  std::vector<std::string> labels;  // files
   PageOptions page;
   std::string side = "both";
 };
@@ -54,6 +61,34 @@ LoopFilter filter_of(const LoopsFlags& flags) {
   return filter;
 }
 
+bool reports_features(const LoopsFlags& flags) {
+  return flags.features || flags.feature_ratio || !flags.labels.empty();
+}
+
+FeatureOptions feature_options(const LoopsFlags& flags) {
+  if (flags.input.level.open_boundary && reports_features(flags)) {
+    throw InvalidArgument(
+        "--features, --feature-ratio and --labels do not go with --open-boundary");
+  }
+  FeatureOptions options;
+  if (flags.feature_ratio) options.ratio = *flags.feature_ratio;
+  if (!(options.ratio >= 1.0) || std::isinf(options.ratio)) {
+    throw InvalidArgument("--feature-ratio must be a number from 1 on");
+  }
+  return options;
+}
+
+void add_labels(OutputFiles& outputs, const std::string& name) {
+  if (!is_written(name)) {
+    throw InvalidArgument("--labels " + name + ": volumes are written as " + written_extensions());
+  }
+  // OpenVDB takes floats, all of them and in its tree.
+  const std::uint64_t writer_bytes_per_voxel = file_kind(name) == FileKind::vdb ? 8 : 0;
+  outputs.add("--labels", name, [=](std::ostream& out, const RunResult& run) {
+    write_volume(out, label_volume(run, writer_bytes_per_voxel), name);
+  });
+}
+
 OutputFiles outputs_of(const LoopsFlags& flags) {
   OutputFiles outputs(flags.input.volume.file);
   outputs.add("--json", flags.json, write_json);
@@ -66,6 +101,7 @@ OutputFiles outputs_of(const LoopsFlags& flags) {
   for (const std::string& name : flags.curves) outputs.add("--curves", name, curves_report(name));
   for (const std::string& name : flags.surface)
     outputs.add("--surface", name, surface_report(name));
+  for (const std::string& name : flags.labels) add_labels(outputs, name);
   outputs.add("--dump-pairs", flags.input.engine.dump_pairs, write_pairs);
   return outputs;
 }
@@ -74,13 +110,19 @@ void find(const LoopsFlags& flags) {
   LoopsInput input = flags.input;
   input.filter = filter_of(flags);
   input.with_scan = !flags.html.empty();
+  const FeatureOptions features = feature_options(flags);
+  if (reports_features(flags) || !flags.html.empty()) input.features = features;
   check_engine_flags(input);
   const OutputFiles outputs = outputs_of(flags);
   ProgressLine progress(std::cerr, progress_options(flags.progress));
-  const RunResult run = find_run(input, progress.callback());
+  RunResult run = find_run(input, progress.callback());
+  run.with_features = reports_features(flags);
   progress.clear();
   outputs.write(run);
-  if (!outputs.uses_stdout()) write_table(std::cout, run);
+  if (!outputs.uses_stdout()) {
+    write_table(std::cout, run);
+    if (run.with_features) write_features(std::cout, run);
+  }
   if (input.engine.stats) write_stats(outputs.uses_stdout() ? std::cerr : std::cout << '\n', run);
   finish_stdout();
 }
@@ -123,6 +165,23 @@ void add_report_flags(CLI::App& command, LoopsFlags& flags) {
       ->type_name("FILE");
 }
 
+void add_feature_flags(CLI::App& command, LoopsFlags& flags) {
+  command.add_flag(
+      "--features", flags.features,
+      "report how far each handle and tunnel extends, and label its vertices in --ply");
+  command
+      .add_option("--feature-ratio", flags.feature_ratio,
+                  "a feature ends where its girth exceeds this times its loop's length (default "
+                  "1.5: half a radius beyond the mouth of a bore)")
+      ->type_name("RATIO");
+  command
+      .add_option("--labels", flags.labels,
+                  "write a volume with the labels of the features: .nrrd, .vdb or .raw; may be "
+                  "repeated")
+      ->allow_extra_args(false)
+      ->type_name("FILE");
+}
+
 }  // namespace
 
 void add_loops_command(CLI::App& app) {
@@ -141,11 +200,12 @@ void add_loops_command(CLI::App& app) {
   add_thread_flag(command, flags->input.threads);
   add_engine_flags(command, flags->input.engine);
   add_report_flags(command, *flags);
+  add_feature_flags(command, *flags);
   add_progress_flags(command, flags->progress);
   command.footer(
       "Examples:\n"
       "  isoloop loops engine_256x256x128_uint8.raw --iso 70 --ply loops.ply\n"
-      "  isoloop loops part.vdb --side tunnel --max-size 12 --csv holes.csv\n"
+      "  isoloop loops part.vdb --side tunnel --features --labels labels.nrrd --csv holes.csv\n"
       "  isoloop loops scan.raw --dims 512 512 300 --type i16 --iso 400 --json - > loops.json");
   command.callback([flags] { find(*flags); });
 }

@@ -51,6 +51,12 @@ RunResult find_run(const LoopsInput& input, const Progress& progress) {
   check_counts(run.analysis);
   check_loops(run.analysis);
   run.reported = select_loops(run.analysis.loops, input.filter);
+  if (input.features && boundary == Boundary::closed) {
+    if (progress) progress("features", 0.93);
+    FeatureOptions options = *input.features;
+    options.max_bytes = run.cost.max_bytes;
+    run.features = features_of(run.analysis.surface, run.analysis.loops, options);
+  }
   if (input.with_scan && boundary == Boundary::closed) {
     if (progress) progress("scan", 0.95);
     scan_run(run, scan_values({}, run.volume, run.range), {});

@@ -1,8 +1,10 @@
 // A run of `loops` or `view`, from flags to proved loops.
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "core/features.h"
 #include "core/progress.h"
 #include "tools/engine_flags.h"
 #include "tools/input_flags.h"
@@ -19,6 +21,7 @@ struct LoopsInput {
   int threads = 0;  // 0: one for each core
   LoopFilter filter;
   bool with_scan = false;  // also count at many iso values, unless the boundary is open
+  std::optional<FeatureOptions> features{};  // also sweep the features, unless the boundary is open
 };
 
 /// Adds --threads. `threads` must outlive the parse.

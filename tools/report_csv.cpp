@@ -1,6 +1,7 @@
 #include "tools/report_csv.h"
 
 #include "tools/number_text.h"
+#include "tools/report_features.h"
 #include "tools/report_table.h"
 
 namespace isoloop {
@@ -11,13 +12,28 @@ const char* triviality(const Loop& loop, bool trivial) {
   return trivial ? "trivial" : "nontrivial";
 }
 
+constexpr const char* feature_columns =
+    "label,area,depth,thickness,least_girth,mean_girth,axis_x,axis_y,axis_z";
+
+void write_feature_cells(std::ostream& out, const RunResult& run, const Loop& loop) {
+  const std::size_t place = place_of(run, loop);
+  const Feature& feature = run.features[place];
+  out << ',' << place + 1;
+  for (const double x :
+       {feature.area, feature.depth, feature.thickness(), feature.least_girth, feature.mean_girth})
+    out << ',' << shortest_text(x);
+  for (const double x : world_axis(run, feature)) out << ',' << shortest_text(x);
+}
+
 }  // namespace
 
 void write_csv(std::ostream& out, const RunResult& run) {
   out << "id,kind,fix,length,size,component,curves,"
          "center_index_i,center_index_j,center_index_k,"
          "center_world_x,center_world_y,center_world_z,"
-         "certificate_inside,certificate_outside\n";
+         "certificate_inside,certificate_outside";
+  if (run.with_features) out << ',' << feature_columns;
+  out << '\n';
   for (const Loop& loop : run.reported) {
     out << loop.id << ',' << kind_text(loop.kind) << ',' << fix_text(loop.kind) << ','
         << shortest_text(loop.length) << ',' << shortest_text(loop.size) << ',' << loop.component
@@ -27,7 +43,9 @@ void write_csv(std::ostream& out, const RunResult& run) {
       out << ',' << shortest_text(position);
     }
     out << ',' << triviality(loop, loop.certificate.trivial_inside) << ','
-        << triviality(loop, loop.certificate.trivial_outside) << '\n';
+        << triviality(loop, loop.certificate.trivial_outside);
+    if (run.with_features) write_feature_cells(out, run, loop);
+    out << '\n';
   }
 }
 

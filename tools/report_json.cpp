@@ -8,6 +8,7 @@
 
 #include "tools/engine_flags.h"
 #include "tools/input_flags.h"
+#include "tools/report_features.h"
 #include "tools/report_table.h"
 
 namespace isoloop {
@@ -111,17 +112,19 @@ Json loop_of(const RunResult& run, const Loop& loop) {
                  {"surface", triviality(!loop.certificate.nontrivial_on_surface)}}
           : Json{{"inside", triviality(loop.certificate.trivial_inside)},
                  {"outside", triviality(loop.certificate.trivial_outside)}};
-  return {{"id", loop.id},
-          {"kind", kind_text(loop.kind)},
-          {"fix", fix_text(loop.kind)},
-          {"length", loop.length},
-          {"found_length", loop.found_length},
-          {"size", loop.size},
-          {"component", loop.component},
-          {"center_index", loop.center_index},
-          {"center_world", to_world(run.volume, loop.center_index)},
-          {"curves", curves_of(run, loop)},
-          {"certificate", certificate}};
+  Json json{{"id", loop.id},
+            {"kind", kind_text(loop.kind)},
+            {"fix", fix_text(loop.kind)},
+            {"length", loop.length},
+            {"found_length", loop.found_length},
+            {"size", loop.size},
+            {"component", loop.component},
+            {"center_index", loop.center_index},
+            {"center_world", to_world(run.volume, loop.center_index)},
+            {"curves", curves_of(run, loop)},
+            {"certificate", certificate}};
+  if (run.with_features) json["feature"] = feature_json(run, loop);
+  return json;
 }
 
 // Of all loops of a kind, whatever the filter. The bound is one along edges of the surface.

@@ -10,6 +10,7 @@
 
 #include "core/errors.h"
 #include "tools/number_text.h"
+#include "tools/report_features.h"
 #include "tools/report_table.h"
 #include "tools/tube.h"
 
@@ -63,7 +64,7 @@ void write_header(std::ostream& out, const RunResult& run, const MeshSize& size)
       << shortest_text(run.volume.spacing[2]) << "\nelement vertex " << size.vertices
       << "\nproperty float x\nproperty float y\nproperty float z\n"
       << "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-      << "element face " << size.triangles
+      << (run.with_features ? "property int label\n" : "") << "element face " << size.triangles
       << "\nproperty list uchar int vertex_indices\nend_header\n";
 }
 
@@ -127,8 +128,12 @@ void write_vertices(std::ostream& out, const RunResult& run, std::span<const Loo
                     const std::vector<Tube>& tubes) {
   std::vector<char> bytes;
   const std::vector<Colour> colours = surface_colours(run, loops);
+  const bool labelled = run.with_features;
+  const std::vector<std::uint32_t> labels =
+      labelled ? vertex_labels(run) : std::vector<std::uint32_t>{};
   for (std::uint32_t vertex = 0; vertex < colours.size(); ++vertex) {
     append_vertex(bytes, world_point(run, vertex), colours[vertex]);
+    if (labelled) append_bits(bytes, labels[vertex]);
     flush(out, bytes, chunk_bytes);
   }
   std::size_t tube = 0;
@@ -136,6 +141,7 @@ void write_vertices(std::ostream& out, const RunResult& run, std::span<const Loo
     for (std::size_t curve = 0; curve < loop.curves.size(); ++curve, ++tube) {
       for (const Vec3& point : tubes[tube].points) {
         append_vertex(bytes, point, colour_of(loop.kind));
+        if (labelled) append_bits(bytes, static_cast<std::uint32_t>(place_of(run, loop) + 1));
       }
       flush(out, bytes, chunk_bytes);
     }

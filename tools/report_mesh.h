@@ -15,6 +15,8 @@ struct MeshOptions {
 /// Writes a binary little-endian PLY: the surface in grey, its normals leading outside, and round
 /// each reported loop a closed tube of triangles; handle loops green, tunnel loops red, loops of an
 /// open boundary blue, and so are the surface's own vertices on them (green where two meet).
+/// Where reports tell of features, each vertex has a label (see vertex_labels()), those of a tube
+/// the loop's own.
 /// Positions are in the world frame of the input, which a comment in the header names. Throws
 /// LimitExceeded where the mesh outgrows 31-bit indices.
 void write_ply(std::ostream& out, const RunResult& run, const MeshOptions& options = {});

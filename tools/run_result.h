@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/analysis.h"
+#include "core/features.h"
 #include "core/plateau.h"
 #include "core/scan.h"
 #include "volume/volume.h"
@@ -51,6 +52,8 @@ struct RunResult {
   bool with_loops = true;  // false: counted only
   LoopFilter filter;
   std::vector<Loop> reported;             // select_loops(analysis.loops, filter)
+  std::vector<Feature> features{};        // one for each of analysis.loops; empty: not looked for
+  bool with_features = false;             // reports tell of them
   std::vector<ScanRow> scan{};            // of `scan`: one for each iso value, ascending
   std::vector<Plateau> plateaus{};        // of `scan`
   std::optional<std::size_t> proposed{};  // of `scan`: the row to look at first, if any
