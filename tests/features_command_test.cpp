@@ -54,11 +54,13 @@ TEST_F(FeaturesCommand, AreMeasuredInTheTableTheJsonAndTheCsv) {
 }
 
 TEST_F(FeaturesCommand, AreLeftOutUnlessAskedFor) {
-  const ProcessResult result = loops({"--json", "t.json", "--ply", "t.ply"});
+  const ProcessResult result = loops({"--json", "t.json", "--ply", "t.ply", "--html", "t.html"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.out.find("\nfeatures\n"), std::string::npos);
   EXPECT_FALSE(Json::parse(scratch_.read("t.json"))["loops"][0].contains("feature"));
   EXPECT_EQ(scratch_.read("t.ply").find("property int label\n"), std::string::npos);
+  EXPECT_NE(scratch_.read("t.html").find("\"feature\":{"), std::string::npos)
+      << "the page has them";
 }
 
 TEST_F(FeaturesCommand, GrowWithTheRatio) {

@@ -2,6 +2,7 @@
 
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -33,6 +34,39 @@ TEST(Page, HoldsTheSurfaceTheLoopsAndTheVolume) {
   EXPECT_EQ(data["loops"][0]["curves"][0].get<std::string>().size(), 4 * 3 * 6 / 3);
   EXPECT_EQ(data["volume"]["dims"], (std::vector<int>{10, 10, 10}));
   EXPECT_EQ(data["volume"]["block"], 1);
+}
+
+/// The numbers of points that the page's script reads.
+std::vector<int> points_of(const nlohmann::json& feature) {
+  static const std::string letters =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::vector<std::size_t> bytes;
+  std::size_t bits = 0;
+  std::size_t count = 0;
+  for (const char c : feature["points"].get<std::string>()) {
+    if (c == '=') break;
+    bits = bits << 6 | letters.find(c);
+    count += 6;
+    if (count < 8) continue;
+    count -= 8;
+    bytes.push_back(bits >> count & 0xFF);
+  }
+  std::vector<int> points;
+  int at = 0;
+  for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) {
+    at += static_cast<int>(bytes[i]);
+    for (std::size_t n = 0; n < bytes[i + 1]; ++n) points.push_back(at++);
+  }
+  return points;
+}
+
+TEST(Page, SaysWhichPointsLieInTheFeatures) {
+  const auto data = data_in(page_of(torus_run_with_features()));
+  const auto& handle = data["loops"][0]["feature"];
+  EXPECT_EQ(handle["depth"], 1.5);
+  EXPECT_EQ(points_of(handle), (std::vector<int>{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(points_of(data["loops"][1]["feature"]), (std::vector<int>{0, 3, 6, 7}));
+  EXPECT_FALSE(data_in(page_of(torus_run()))["loops"][0].contains("feature"));
 }
 
 TEST(Page, TakesTheVolumeInBlocksWhereItIsLarge) {

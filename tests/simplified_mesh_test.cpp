@@ -91,6 +91,16 @@ TEST(SimplifiedMesh, MeetsItsBudgetAndStaysClose) {
   }
 }
 
+TEST(SimplifiedMesh, TellsWhichPointsAreLeft) {
+  const TriangleMesh mesh = mesh_of(surface_of(testing::torus({40, 40, 40})));
+  const TriangleMesh simple = simplified(mesh, 2000);
+  ASSERT_EQ(simple.sources.size(), simple.points.size());
+  EXPECT_TRUE(std::is_sorted(simple.sources.begin(), simple.sources.end()));
+  for (std::size_t i = 0; i < simple.points.size(); ++i)
+    EXPECT_LT(distance(simple.points[i], mesh.points[simple.sources[i]]), 4.0);
+  EXPECT_EQ(simplified(mesh, mesh.triangles.size()).sources.size(), mesh.points.size());
+}
+
 TEST(SimplifiedMesh, LeavesASmallMeshAsItIs) {
   const TriangleMesh mesh = mesh_of(surface_of(testing::torus({16, 16, 16})));
   EXPECT_EQ(simplified(mesh, mesh.triangles.size()).triangles, mesh.triangles);

@@ -17,6 +17,7 @@
 
 #include "tools/base64.h"
 #include "tools/number_text.h"
+#include "tools/report_features.h"
 #include "tools/report_table.h"
 #include "tools/scan_plot.h"
 #include "tools/simplified_mesh.h"
@@ -69,12 +70,27 @@ Box box_of(const RunResult& run) {
   return box;
 }
 
-Json mesh_of(const RunResult& run, const Box& box, const PageOptions& options) {
+/// The surface as the page shows it.
+struct DrawnMesh {
   TriangleMesh mesh;
+  std::vector<std::uint32_t> point_of_vertex;  // of M; `not_drawn` where it is gone
+};
+
+constexpr auto not_drawn = static_cast<std::uint32_t>(-1);
+
+DrawnMesh drawn_mesh(const RunResult& run, const PageOptions& options) {
+  DrawnMesh drawn;
   for (const auto& point : run.analysis.surface.points)
-    mesh.points.push_back(world_point(run, point));
-  mesh.triangles = run.analysis.surface.triangles;
-  mesh = simplified(std::move(mesh), options.most_triangles);
+    drawn.mesh.points.push_back(world_point(run, point));
+  drawn.point_of_vertex.assign(drawn.mesh.points.size(), not_drawn);
+  drawn.mesh.triangles = run.analysis.surface.triangles;
+  drawn.mesh = simplified(std::move(drawn.mesh), options.most_triangles);
+  for (std::uint32_t point = 0; point < drawn.mesh.points.size(); ++point)
+    drawn.point_of_vertex[drawn.mesh.sources[point]] = point;
+  return drawn;
+}
+
+Json mesh_of(const RunResult& run, const Box& box, const TriangleMesh& mesh) {
   std::vector<std::uint8_t> positions;
   for (const Vec3& point : mesh.points) append_point(positions, box, point);
   const bool mirrored = frame_mirrors(run.volume);
@@ -88,22 +104,61 @@ Json mesh_of(const RunResult& run, const Box& box, const PageOptions& options) {
           {"corners", base64(corners)}};
 }
 
-Json loop_of(const RunResult& run, const Box& box, const Loop& loop) {
+/// Seven bits a byte, the low ones first; the eighth bit of all but the last byte is 1 (LEB128).
+void append_varying(std::vector<std::uint8_t>& bytes, std::uint32_t number) {
+  for (; number >= 0x80; number >>= 7) bytes.push_back(static_cast<std::uint8_t>(number | 0x80U));
+  bytes.push_back(static_cast<std::uint8_t>(number));
+}
+
+/// The points of the drawn mesh that lie in the feature: how many to pass over, how many to take,
+/// and so on.
+std::string points_of(const Feature& feature, const DrawnMesh& drawn) {
+  std::vector<std::uint8_t> bytes;
+  std::uint32_t last = 0;  // end of the last run
+  std::uint32_t start = 0;
+  std::uint32_t end = 0;
+  const auto append_run = [&] {
+    if (end == start) return;
+    append_varying(bytes, start - last);
+    append_varying(bytes, end - start);
+    last = end;
+  };
+  for (const std::uint32_t vertex : feature.vertices) {
+    const std::uint32_t point = drawn.point_of_vertex[vertex];
+    if (point == not_drawn) continue;
+    if (point != end) {
+      append_run();
+      start = point;
+    }
+    end = point + 1;
+  }
+  append_run();
+  return base64(bytes);
+}
+
+Json loop_of(const RunResult& run, const Box& box, const DrawnMesh& drawn, const Loop& loop) {
   Json curves = Json::array();
   for (const std::vector<Vec3>& curve : drawn_curves(run.analysis.surface, loop)) {
     std::vector<std::uint8_t> points;
     for (const Vec3& point : curve) append_point(points, box, to_world(run.volume, point));
     curves.push_back(base64(points));
   }
-  return {{"id", loop.id},
-          {"kind", kind_text(loop.kind)},
-          {"fix", fix_text(loop.kind)},
-          {"length", loop.length},
-          {"size", loop.size},  // null where it is infinite
-          {"component", loop.component},
-          {"index", loop.center_index},
-          {"world", to_world(run.volume, loop.center_index)},
-          {"curves", std::move(curves)}};
+  Json json{{"id", loop.id},
+            {"kind", kind_text(loop.kind)},
+            {"fix", fix_text(loop.kind)},
+            {"length", loop.length},
+            {"size", loop.size},  // null where it is infinite
+            {"component", loop.component},
+            {"index", loop.center_index},
+            {"world", to_world(run.volume, loop.center_index)},
+            {"curves", std::move(curves)}};
+  if (!run.features.empty()) {
+    const Feature& feature = run.features[place_of(run, loop)];
+    json["feature"] = {{"depth", feature.depth},
+                       {"thickness", feature.thickness()},
+                       {"points", points_of(feature, drawn)}};
+  }
+  return json;
 }
 
 /// The volume in blocks of `block` voxels along each axis: mean values, the range of the voxels as
@@ -151,8 +206,9 @@ Json data_of(const RunResult& run, const PageOptions& options) {
   const Betti& betti = run.analysis.betti;
   const Volume& volume = run.volume;
   const Box box = box_of(run);
+  const DrawnMesh drawn = drawn_mesh(run, options);
   Json loops = Json::array();
-  for (const Loop& loop : run.reported) loops.push_back(loop_of(run, box, loop));
+  for (const Loop& loop : run.reported) loops.push_back(loop_of(run, box, drawn, loop));
   return {{"schema", "isoloop/page/1"},
           {"file", run.file},
           {"dims", volume.dims},
@@ -174,7 +230,7 @@ Json data_of(const RunResult& run, const PageOptions& options) {
           {"betti", {{"b0", betti.b0}, {"b1", betti.b1}, {"b2", betti.b2}}},
           {"found", run.analysis.loops.size()},
           {"box", {{"lower", box.lower}, {"upper", box.upper}}},
-          {"mesh", mesh_of(run, box, options)},
+          {"mesh", mesh_of(run, box, drawn.mesh)},
           {"volume", blocks_of(run, options)},
           {"loops", std::move(loops)}};
 }

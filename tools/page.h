@@ -18,9 +18,10 @@ struct PageOptions {
 void add_page_flags(CLI::App& command, PageOptions& options);
 
 /// Writes one HTML file: the surface, simplified without a change of its topology, the reported
-/// loops as they are, the volume in blocks of voxels for slices, the counts, the scan if `run` has
-/// one, and the viewer (tools/viewer). Positions are in the frame of the input, rounded to 1/65535
-/// of the surface's extent along each axis.
+/// loops as they are, the points of the surface that lie in the features if `run` has them, the
+/// volume in blocks of voxels for slices, the counts, the scan if `run` has one, and the viewer
+/// (tools/viewer). Positions are in the frame of the input, rounded to 1/65535 of the surface's
+/// extent along each axis.
 void write_page(std::ostream& out, const RunResult& run, const PageOptions& options = {});
 
 }  // namespace isoloop

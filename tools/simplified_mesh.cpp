@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 #include <optional>
 #include <queue>
 #include <tuple>
@@ -123,7 +124,9 @@ class Simplifier {
     std::vector<std::uint32_t> number(mesh_.points.size());
     for (std::size_t v = 0; v < number.size(); ++v) {
       number[v] = static_cast<std::uint32_t>(result.points.size());
-      if (!fans_[v].empty()) result.points.push_back(mesh_.points[v]);
+      if (fans_[v].empty()) continue;
+      result.points.push_back(mesh_.points[v]);
+      result.sources.push_back(mesh_.sources[v]);
     }
     for (const Corners& corners : mesh_.triangles) {
       if (corners[0] == corners[1]) continue;
@@ -244,6 +247,8 @@ class Simplifier {
 }  // namespace
 
 TriangleMesh simplified(TriangleMesh mesh, std::size_t most_triangles) {
+  mesh.sources.resize(mesh.points.size());
+  std::iota(mesh.sources.begin(), mesh.sources.end(), 0U);
   if (mesh.triangles.size() <= most_triangles) return mesh;
   Simplifier simplifier(std::move(mesh));
   simplifier.reduce(most_triangles);

@@ -13,6 +13,7 @@ namespace isoloop {
 struct TriangleMesh {
   std::vector<Vec3> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;  // corners in points
+  std::vector<std::uint32_t> sources{};  // of each point of a simplified mesh: see simplified()
 };
 
 /// Collapses edges, the one that moves the surface least first (quadric error; Garland and
@@ -21,7 +22,8 @@ struct TriangleMesh {
 /// condition; Dey, Edelsbrunner, Guha, Nekhayev 1999): so the surface stays the same up to
 /// homeomorphism, component by component, handle by handle. Nor may it turn a triangle over. Ends
 /// on a border stay as they are. `mesh` must be a surface: each directed edge at most once, and
-/// each vertex within one fan. The result depends on `mesh` alone.
+/// each vertex within one fan. The points that are left keep their order; `sources` says
+/// which points of `mesh` they were. The result depends on `mesh` alone.
 TriangleMesh simplified(TriangleMesh mesh, std::size_t most_triangles);
 
 }  // namespace isoloop

@@ -42,6 +42,7 @@ void add_view_command(CLI::App& app) {
       *app.add_subcommand("view", "write the surface and its loops as a page for a web browser");
   auto flags = std::make_shared<ViewFlags>();
   flags->input.with_scan = true;
+  flags->input.features = FeatureOptions{};
   add_volume_flags(command, flags->input.volume);
   add_level_flags(command, flags->input.level);
   command

@@ -8,6 +8,28 @@ function bytesOf(base64) {
   return bytes;
 }
 
+/// Ranges [first, end) of points: how many to pass over, how many to take, and so on (LEB128).
+function rangesOf(base64) {
+  const numbers = [];
+  let number = 0;
+  let shift = 0;
+  for (const byte of bytesOf(base64)) {
+    number |= (byte & 0x7f) << shift;
+    shift += 7;
+    if (byte & 0x80) continue;
+    numbers.push(number);
+    [number, shift] = [0, 0];
+  }
+  const ranges = [];
+  let at = 0;
+  for (let i = 0; i < numbers.length; i += 2) {
+    const first = at + numbers[i];
+    at = first + numbers[i + 1];
+    ranges.push([first, at]);
+  }
+  return ranges;
+}
+
 export function readData() {
   const data = JSON.parse(document.getElementById('data').textContent);
   const { lower, upper } = data.box;
@@ -35,6 +57,7 @@ export function readData() {
     loop.number = number;
     loop.size = loop.size === null ? Infinity : loop.size;
     loop.curves = loop.curves.map(points);
+    if (loop.feature) loop.feature.points = rangesOf(loop.feature.points);
   });
   return data;
 }

@@ -59,6 +59,32 @@ const pixels = (page) => page.evaluate(() => {
   return count;
 });
 
+/// How many pixels of the picture lean to green, and how many to red, as tinted surfaces do, and how
+/// far in the mean; the tubes' pixels are left out.
+const tinted = (page) => page.evaluate(() => {
+  const viewer = window.isoloop;
+  const tubes = [viewer.rest, viewer.chosenMesh, viewer.ghost];
+  const seen = tubes.map((mesh) => mesh.visible);
+  for (const mesh of tubes) mesh.visible = false;
+  viewer.draw();
+  const { width, height } = viewer.canvas;
+  const copy = new OffscreenCanvas(width, height).getContext('2d');
+  copy.drawImage(viewer.canvas, 0, 0);
+  tubes.forEach((mesh, i) => { mesh.visible = seen[i]; });
+  const { data } = copy.getImageData(0, 0, width, height);
+  const count = { green: 0, red: 0 };
+  const sum = { green: 0, red: 0 };
+  for (let i = 0; i < data.length; i += 4) {
+    const [r, g, b] = [data[i], data[i + 1], data[i + 2]];
+    const lean = g > r + 8 && g > b + 8 ? 'green' : r > g + 8 && r > b + 8 ? 'red' : null;
+    if (!lean) continue;
+    ++count[lean];
+    sum[lean] += Math.abs(r - g);
+  }
+  const mean = (lean) => sum[lean] / Math.max(count[lean], 1);
+  return { ...count, lean: { green: mean('green'), red: mean('red') } };
+});
+
 const moved = (a, b) => Math.hypot(...a.camera.map((x, i) => x - b.camera[i]));
 
 const tests = {
@@ -128,6 +154,36 @@ const tests = {
     const values = await page.$eval('#picture', (c) => new Set(
       c.getContext('2d').getImageData(0, 0, c.width, c.height).data).size);
     assert.ok(values > 20, `${values} grey values`);
+  },
+
+  async 'features are tinted: those of handles green, those of tunnels red, the chosen one stronger'() {
+    run('generate', 'engine_block', '--size', '104', '-o', 'block.vdb');
+    run('view', 'block.vdb', '-o', 'block.html');
+    const { page, trouble } = await open('block.html');
+    const both = await tinted(page);
+    assert.ok(both.green > 1000 && both.red > 1000, JSON.stringify(both));
+    await page.click('#handles');
+    const tunnels = await tinted(page);
+    assert.equal(tunnels.green, 0, 'of handles that are not shown there is no tint');
+    assert.ok(tunnels.red >= both.red, JSON.stringify(tunnels));
+    await page.click('#handles');
+    await page.click('#features');
+    const plain = await tinted(page);
+    assert.equal(plain.green + plain.red, 0, 'plain');
+    await page.click('#features');
+    for (const [kind, lean, other] of [['handle', 'green', 'red'], ['tunnel', 'red', 'green']]) {
+      await page.evaluate((k) => {
+        const viewer = window.isoloop;
+        viewer.choose(viewer.data.loops.findIndex((loop) => loop.kind === k));
+        document.getElementById('sliced').click();
+      }, kind);
+      const chosen = await tinted(page);
+      assert.ok(chosen[lean] > 500, JSON.stringify(chosen));
+      assert.ok(chosen.lean[lean] > 1.2 * both.lean[lean], JSON.stringify([both, chosen]));
+      assert.equal(chosen[other], 0, JSON.stringify(chosen));
+      assert.match(await page.$eval('#status', (p) => p.textContent), / deep, .* thick/);
+    }
+    assert.deepEqual(trouble, []);
   },
 
   async 'a column sorts by a click on its head'() {

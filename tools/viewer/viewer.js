@@ -2,6 +2,7 @@
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { frameOf, readData } from './data.js';
+import { Skin } from './skin.js';
 import { Slice } from './slice.js';
 import { LoopTable, number, point } from './table.js';
 import { makeTubes } from './tubes.js';
@@ -46,7 +47,8 @@ class Viewer {
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.addEventListener('change', () => this.redraw());
     this.addLights();
-    this.addSurface();
+    this.skin = new Skin(data);
+    this.scene.add(this.skin.mesh);
     this.addTubes();
     this.slice = new Slice(data, this.scene, () => this.redraw());
     this.table = new LoopTable(data, (n) => this.choose(n));
@@ -63,19 +65,6 @@ class Viewer {
     lamp.position.set(-1, 1, 2);
     this.camera.add(lamp);
     this.scene.add(this.camera);
-  }
-
-  addSurface() {
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute('position', new THREE.BufferAttribute(this.data.mesh.points, 3));
-    geometry.setIndex(new THREE.BufferAttribute(this.data.mesh.index, 1));
-    geometry.computeVertexNormals();
-    this.skin = new THREE.MeshLambertMaterial({
-      color: 0x9aa3b2, transparent: true, depthWrite: false, side: THREE.DoubleSide,
-    });
-    this.surface = new THREE.Mesh(geometry, this.skin);
-    this.surface.renderOrder = 2; // over the tubes: it is see-through
-    this.scene.add(this.surface);
   }
 
   addTubes() {
@@ -98,7 +87,8 @@ class Viewer {
     const listen = (id, event, action) => element(id).addEventListener(event, action);
     for (const id of ['handles', 'tunnels']) listen(id, 'change', () => this.applyFilter());
     listen('least', 'input', () => this.applyFilter());
-    listen('opacity', 'input', () => this.applyOpacity());
+    listen('opacity', 'input', () => this.paint());
+    listen('features', 'change', () => this.paint());
     listen('home', 'click', () => { this.choose(undefined); this.home(true); });
     listen('shot', 'click', () => this.savePicture());
     dark.addEventListener('change', () => this.setColours());
@@ -115,7 +105,7 @@ class Viewer {
     const sized = this.data.loops.map((l) => l.size).filter(Number.isFinite);
     this.largest = sized.reduce((a, b) => Math.max(a, b), 0);
     if (this.data.open) element('handles').closest('.row').hidden = true;
-    this.applyOpacity();
+    element('features').closest('label').hidden = !this.data.loops.some((loop) => loop.feature);
   }
 
   /// The least size that is shown; fine steps for small sizes.
@@ -143,15 +133,13 @@ class Viewer {
     this.restMaterial.opacity = faded ? 0.2 : 1;
     this.restMaterial.depthWrite = !faded;
     this.restMaterial.needsUpdate = true;
-    this.redraw();
+    this.paint();
   }
 
-  applyOpacity() {
+  paint() {
     const share = Number(element('opacity').value) / 100;
     element('opacity-value').textContent = `${Math.round(100 * share)} %`;
-    this.skin.opacity = share;
-    this.skin.depthWrite = share > 0.95;
-    this.surface.visible = share > 0;
+    this.skin.paint(element('features').checked ? this.visible : [], this.chosen, share);
     this.redraw();
   }
 
@@ -167,6 +155,8 @@ class Viewer {
       element('status').textContent =
         `${loop.kind} loop ${loop.id}: size ${number(loop.size, decimals)}, length ` +
         `${number(loop.length, decimals)}, at ${point(loop.world, decimals)}` +
+        (loop.feature ? `, ${number(loop.feature.depth, decimals)} deep, ` +
+          `${number(loop.feature.thickness, decimals)} thick` : '') +
         (loop.fix === 'none' ? '' : `; ${loop.fix} along it to remove the ${loop.kind}`);
     } else if (loops.length === 0) {
       element('status').textContent = found === 0 ? 'There are no loops: no handle, no tunnel.'
