@@ -3,6 +3,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <deque>
+#include <utility>
+
+#include <boost/graph/boykov_kolmogorov_max_flow.hpp>
+#include <boost/graph/compressed_sparse_row_graph.hpp>
+#include <boost/pending/disjoint_sets.hpp>  // before the CSR header: that one lacks it
 
 #include "core/disjoint_sets.h"
 
@@ -12,98 +17,60 @@ namespace {
 constexpr std::int32_t endless = 1 << 30;
 constexpr auto unreached = static_cast<std::uint32_t>(-1);
 constexpr std::uint32_t small_network = 20'000;  // nodes that can be cut; up to this, in one go
-constexpr std::uint32_t band = 2;                // nodes that can be cut, on either side of the cut
+constexpr std::uint32_t band = 5;                // nodes that can be cut, on either side of the cut
 
-/// A flow network: arcs in pairs, 2 k and 2 k + 1, each the way back of the other.
-class Flow {
- public:
-  explicit Flow(std::uint32_t nodes) : nodes_(nodes) {}
-
-  void add(std::uint32_t from, std::uint32_t to, std::int32_t there, std::int32_t back) {
-    from_.push_back(from);
-    from_.push_back(to);
-    room_.push_back(there);
-    room_.push_back(back);
-  }
-
-  /// Sends as much as possible from source to sink.
-  void fill(std::uint32_t source, std::uint32_t sink) {
-    sort_arcs();
-    while (measure(source, sink)) {
-      next_ = first_;
-      while (augment(source, sink)) {
-      }
-    }
-  }
-
-  /// After fill(): whether more could flow from the source to the node.
-  bool reached(std::uint32_t node) const { return level_[node] != unreached; }
-
- private:
-  std::uint32_t target(std::uint32_t arc) const { return from_[arc ^ 1U]; }
-
-  void sort_arcs() {
-    first_.assign(nodes_ + 1, 0);
-    for (const std::uint32_t from : from_) ++first_[from + 1];
-    for (std::uint32_t n = 0; n < nodes_; ++n) first_[n + 1] += first_[n];
-    std::vector<std::uint32_t> cursor(first_.begin(), first_.end() - 1);
-    arcs_.resize(from_.size());
-    for (std::uint32_t arc = 0; arc < from_.size(); ++arc) arcs_[cursor[from_[arc]]++] = arc;
-  }
-
-  /// Steps from the source through arcs with room; false if there is no way to the sink.
-  bool measure(std::uint32_t source, std::uint32_t sink) {
-    level_.assign(nodes_, unreached);
-    level_[source] = 0;
-    queue_.assign(1, source);
-    for (std::size_t i = 0; i < queue_.size(); ++i) {
-      const std::uint32_t node = queue_[i];
-      for (std::uint32_t k = first_[node]; k < first_[node + 1]; ++k) {
-        const std::uint32_t to = target(arcs_[k]);
-        if (room_[arcs_[k]] == 0 || level_[to] != unreached) continue;
-        level_[to] = level_[node] + 1;
-        queue_.push_back(to);
-      }
-    }
-    return level_[sink] != unreached;
-  }
-
-  /// Sends one unit along a shortest way; false if no more is left.
-  bool augment(std::uint32_t source, std::uint32_t sink) {
-    path_.clear();
-    std::uint32_t node = source;
-    while (node != sink) {
-      std::uint32_t& k = next_[node];
-      while (k < first_[node + 1] &&
-             (room_[arcs_[k]] == 0 || level_[target(arcs_[k])] != level_[node] + 1))
-        ++k;
-      if (k < first_[node + 1]) {
-        path_.push_back(arcs_[k]);
-        node = target(arcs_[k]);
-      } else {
-        if (path_.empty()) return false;
-        node = from_[path_.back()];
-        path_.pop_back();
-        ++next_[node];
-      }
-    }
-    for (const std::uint32_t arc : path_) {
-      --room_[arc];
-      ++room_[arc ^ 1U];
-    }
-    return true;
-  }
-
-  std::uint32_t nodes_;
-  std::vector<std::uint32_t> from_;   // by arc
-  std::vector<std::int32_t> room_;    // by arc
-  std::vector<std::uint32_t> first_;  // by node: in arcs_, and the end
-  std::vector<std::uint32_t> arcs_;   // by the node that they leave
-  std::vector<std::uint32_t> level_;
-  std::vector<std::uint32_t> next_;
-  std::vector<std::uint32_t> queue_;
-  std::vector<std::uint32_t> path_;
+struct Link {
+  std::uint32_t from;
+  std::uint32_t to;
+  std::int32_t there;  // capacities
+  std::int32_t back;
 };
+
+using FlowGraph =
+    boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
+                                       boost::no_property, std::uint32_t, std::uint32_t>;
+
+/// Which nodes more could flow to from the source once as much as possible flows to the sink.
+std::vector<bool> reached_after_flow(std::uint32_t nodes, const std::vector<Link>& links,
+                                     std::uint32_t source, std::uint32_t sink) {
+  using Arc = FlowGraph::edge_descriptor;
+  std::vector<std::uint32_t> first(nodes + 1);
+  for (const Link& link : links) {
+    ++first[link.from + 1];
+    ++first[link.to + 1];
+  }
+  for (std::uint32_t n = 0; n < nodes; ++n) first[n + 1] += first[n];
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> arcs(2 * links.size());
+  std::vector<std::int32_t> capacity(arcs.size());
+  std::vector<Arc> back(arcs.size());
+  for (const Link& link : links) {
+    const std::uint32_t there = first[link.from]++;
+    const std::uint32_t here = first[link.to]++;
+    arcs[there] = {link.from, link.to};
+    arcs[here] = {link.to, link.from};
+    capacity[there] = link.there;
+    capacity[here] = link.back;
+    back[there] = Arc(link.to, here);
+    back[here] = Arc(link.from, there);
+  }
+  FlowGraph graph(boost::edges_are_sorted, arcs.begin(), arcs.end(), nodes);
+  const auto number = get(boost::edge_index, graph);
+  const auto vertex = get(boost::vertex_index, graph);
+  std::vector<std::int32_t> room(arcs.size());
+  std::vector<Arc> parent(nodes);
+  std::vector<boost::default_color_type> color(nodes);
+  std::vector<std::uint32_t> distance(nodes);
+  boost::boykov_kolmogorov_max_flow(
+      graph, boost::make_iterator_property_map(capacity.begin(), number),
+      boost::make_iterator_property_map(room.begin(), number),
+      boost::make_iterator_property_map(back.begin(), number),
+      boost::make_iterator_property_map(parent.begin(), vertex),
+      boost::make_iterator_property_map(color.begin(), vertex),
+      boost::make_iterator_property_map(distance.begin(), vertex), vertex, source, sink);
+  std::vector<bool> reached(nodes);
+  for (std::uint32_t n = 0; n < nodes; ++n) reached[n] = color[n] == boost::black_color;
+  return reached;
+}
 
 /// The network with all that no cut can part in one node.
 class Banded {
@@ -168,31 +135,31 @@ class Banded {
     std::uint32_t nodes = count;
     std::vector<std::uint32_t> way_out(count);
     for (std::uint32_t i = 0; i < count; ++i) way_out[i] = cuttable_[inner[i]] ? nodes++ : i;
-    Flow flow(nodes);
+    std::vector<Link> links;
     for (std::uint32_t i = 0; i < count; ++i) {
       const std::uint32_t n = inner[i];
-      if (cuttable_[n]) flow.add(i, way_out[i], 1, 0);
+      if (cuttable_[n]) links.push_back({i, way_out[i], 1, 0});
       if (i < 2) continue;
       bool to_source = false;
       bool to_sink = false;
       for (std::uint32_t k = first_[n]; k < first_[n + 1]; ++k) {
         const std::uint32_t other = to_[k];
         if (place[other] >= 2 && place[other] != unreached) {
-          flow.add(way_out[i], place[other], endless, 0);
+          links.push_back({way_out[i], place[other], endless, 0});
         } else if (place[other] == 0 || (place[other] == unreached && before_[other])) {
           to_source = true;
         } else {
           to_sink = true;
         }
       }
-      if (to_source) flow.add(0, i, endless, 0);
-      if (to_sink) flow.add(way_out[i], 1, endless, 0);
+      if (to_source) links.push_back({0, i, endless, 0});
+      if (to_sink) links.push_back({way_out[i], 1, endless, 0});
     }
-    flow.fill(0, 1);
+    const std::vector<bool> reached = reached_after_flow(nodes, links, 0, 1);
     cut_.clear();
     for (std::uint32_t i = 2; i < count; ++i) {
-      before_[inner[i]] = flow.reached(i) && (way_out[i] == i || flow.reached(way_out[i]));
-      if (way_out[i] != i && flow.reached(i) && !flow.reached(way_out[i])) cut_.push_back(inner[i]);
+      before_[inner[i]] = reached[i] && (way_out[i] == i || reached[way_out[i]]);
+      if (way_out[i] != i && reached[i] && !reached[way_out[i]]) cut_.push_back(inner[i]);
     }
   }
 

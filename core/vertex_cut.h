@@ -18,11 +18,10 @@ class CutNetwork {
   std::uint32_t add_node(bool cuttable);
   void join(std::uint32_t a, std::uint32_t b);
 
-  /// The cuttable nodes of a least cut between source and sink, ascending; of the least cuts the
-  /// one nearest to the source. Nothing where no set of cuttable nodes parts them. Dinitz'
-  /// algorithm, which takes O(sqrt(nodes)) phases of linear time where all that can be cut has
-  /// capacity 1 (Even and Tarjan, SIAM J. Comput. 4, 1975). Boost.Graph's searches are general:
-  /// on the networks of large tunnels they did not end within minutes.
+  /// The cuttable nodes of a least cut between source and sink, ascending. Nothing where no set of
+  /// cuttable nodes parts them. By maximum flow (Boykov and Kolmogorov, IEEE PAMI 26, 2004); with
+  /// more than twenty thousand cuttable nodes, within bands of five round the best cut so far until
+  /// it gets no smaller: then no smaller cut is as near as that.
   std::optional<std::vector<std::uint32_t>> least_cut() const;
 
  private:
