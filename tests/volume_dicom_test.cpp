@@ -1,9 +1,8 @@
-#include <map>
-
 #include <gtest/gtest.h>
 
 #include "core/errors.h"
 #include "tests/damaged_files.h"
+#include "tests/dicom_samples.h"
 #include "tests/volume_test_files.h"
 #include "volume/dicom.h"
 
@@ -11,117 +10,24 @@ namespace isoloop {
 namespace {
 
 using test::contains;
+using test::dicom_slice_at;
+using test::DicomSlice;
+using test::explicit_big;
+using test::explicit_little;
+using test::implicit_little;
 using test::message_of;
-using test::number_bytes;
 using test::TempFolder;
 using test::write_bytes;
 
-constexpr const char* explicit_little = "1.2.840.10008.1.2.1";
-constexpr const char* explicit_big = "1.2.840.10008.1.2.2";
-constexpr const char* implicit_little = "1.2.840.10008.1.2";
-
-// A slice of 3 x 2 pixels of 16 bits.
-struct Slice {
-  std::string syntax = explicit_little;
-  std::string series = "1.2.3";
-  std::string description = "Head";
-  int instance = 1;
-  std::string position = "10\\20\\0";
-  std::string axes = "1\\0\\0\\0\\1\\0";
-  std::string spacing = "0.5\\0.25";
-  std::string slope{};
-  std::string intercept{};
-  std::string frames{};
-  std::string colours = "MONOCHROME2";
-  std::uint16_t samples = 1;
-  std::uint16_t rows = 2;
-  std::uint16_t columns = 3;
-  std::uint16_t allocated = 16;
-  std::uint16_t stored = 16;
-  std::uint16_t high = 15;
-  std::uint16_t is_signed = 1;
-  std::vector<std::int16_t> pixels{0, 1, 2, 3, 4, 5};
-  std::string after{};  // bytes at the end of the file
-
-  Endian endian() const { return syntax == explicit_big ? Endian::big : Endian::little; }
-
-  static std::string element(std::uint32_t tag, const std::string& kind, std::string value,
-                             bool with_kind, Endian endian) {
-    if (value.size() % 2 != 0) value.push_back(kind == "UI" ? '\0' : ' ');
-    std::string bytes = number_bytes(static_cast<std::uint16_t>(tag >> 16), endian) +
-                        number_bytes(static_cast<std::uint16_t>(tag), endian);
-    const auto length = static_cast<std::uint32_t>(value.size());
-    if (!with_kind) return bytes + number_bytes(length, endian) + value;
-    bytes += kind;
-    if (kind == "OW" || kind == "SQ")
-      return bytes + std::string(2, '\0') + number_bytes(length, endian) + value;
-    return bytes + number_bytes(static_cast<std::uint16_t>(length), endian) + value;
-  }
-
-  std::string file() const {
-    const bool with_kind = syntax != implicit_little;
-    const std::string meta = element(0x00020010U, "UI", syntax, true, Endian::little);
-    std::string bytes =
-        std::string(128, '\0') + "DICM" +
-        element(0x00020000U, "UL",
-                number_bytes(static_cast<std::uint32_t>(meta.size()), Endian::little), true,
-                Endian::little) +
-        meta;
-    const auto add = [&](std::uint32_t tag, const char* kind, const std::string& value) {
-      if (!value.empty()) bytes += element(tag, kind, value, with_kind, endian());
-    };
-    const auto whole = [&](std::uint16_t value) { return number_bytes(value, endian()); };
-    add(0x0008103eU, "LO", description);
-    // A sequence of undefined length, with an item of each sort.
-    const std::string inner = element(0x00080100U, "SH", "code", with_kind, endian());
-    const auto delimiter = [&](std::uint16_t number, std::uint32_t length) {
-      return whole(0xfffe) + whole(number) + number_bytes(length, endian());
-    };
-    bytes += whole(0x0008) + whole(0x1111) + (with_kind ? std::string("SQ\0\0", 4) : "") +
-             number_bytes(~std::uint32_t{0}, endian()) + delimiter(0xe000, ~std::uint32_t{0}) +
-             inner + delimiter(0xe00d, 0) +
-             delimiter(0xe000, static_cast<std::uint32_t>(inner.size())) + inner +
-             delimiter(0xe0dd, 0);
-    add(0x0020000eU, "UI", series);
-    add(0x00200013U, "IS", std::to_string(instance));
-    add(0x00200032U, "DS", position);
-    add(0x00200037U, "DS", axes);
-    add(0x00280002U, "US", whole(samples));
-    add(0x00280004U, "CS", colours);
-    add(0x00280008U, "IS", frames);
-    add(0x00280010U, "US", whole(rows));
-    add(0x00280011U, "US", whole(columns));
-    add(0x00280030U, "DS", spacing);
-    add(0x00280100U, "US", whole(allocated));
-    add(0x00280101U, "US", whole(stored));
-    add(0x00280102U, "US", whole(high));
-    add(0x00280103U, "US", whole(is_signed));
-    add(0x00281052U, "DS", intercept);
-    add(0x00281053U, "DS", slope);
-    std::string data;
-    for (const std::int16_t pixel : pixels) data += number_bytes(pixel, endian());
-    add(0x7fe00010U, "OW", data);
-    return bytes + after;
-  }
-};
-
-Slice at(int z) {
-  Slice slice;
-  slice.instance = z;
-  slice.position = std::string("10\\20\\").append(std::to_string(2 * z));
-  for (std::int16_t& pixel : slice.pixels) pixel = static_cast<std::int16_t>(pixel + 100 * z);
-  return slice;
-}
-
 class Dicom : public testing::Test {
  protected:
-  void write(const std::string& name, const Slice& slice) const {
+  void write(const std::string& name, const DicomSlice& slice) const {
     write_bytes(folder_ / name, slice.file());
   }
   // Slices at heights 0 to 3, with file names in another order.
   void write_series(const std::string& prefix = "", const std::string& series = "1.2.3") const {
     for (int z = 0; z < 4; ++z) {
-      Slice slice = at(z);
+      DicomSlice slice = dicom_slice_at(z);
       slice.series = series;
       write(prefix + std::to_string(9 - z), slice);
     }
@@ -132,7 +38,7 @@ class Dicom : public testing::Test {
   std::string refusal() const {
     return message_of<InvalidInput>([&] { read(); });
   }
-  std::string refusal_of(const Slice& slice) const {
+  std::string refusal_of(const DicomSlice& slice) const {
     write("one", slice);
     return message_of<InvalidInput>([&] { read_dicom(folder_ / "one"); });
   }
@@ -156,7 +62,7 @@ TEST_F(Dicom, SlicesAreOrderedByTheirPositions) {
 
 TEST_F(Dicom, EveryTransferSyntaxWithoutCompressionHoldsTheSamePixels) {
   for (const char* syntax : {explicit_little, explicit_big, implicit_little}) {
-    Slice slice;
+    DicomSlice slice;
     slice.syntax = syntax;
     write("one", slice);
     const Volume volume = read_dicom(folder_ / "one");
@@ -168,7 +74,7 @@ TEST_F(Dicom, EveryTransferSyntaxWithoutCompressionHoldsTheSamePixels) {
 
 TEST_F(Dicom, NoSliceCutShortIsRead) {
   for (const char* syntax : {explicit_little, explicit_big, implicit_little}) {
-    Slice slice;
+    DicomSlice slice;
     slice.syntax = syntax;
     const auto path = folder_ / "cut.dcm";
     test::expect_no_beginning_is_read(path, slice.file(), [&] { read_dicom(path); });
@@ -177,7 +83,7 @@ TEST_F(Dicom, NoSliceCutShortIsRead) {
 
 TEST_F(Dicom, ASliceCutShortIsNotPassedOver) {
   write_series();
-  const std::string whole = at(3).file();
+  const std::string whole = dicom_slice_at(3).file();
   for (std::size_t length = 0; length < whole.size(); length += 7) {
     write_bytes(folder_ / "6", whole.substr(0, length));
     EXPECT_THROW(read(), InvalidInput) << length;
@@ -192,7 +98,7 @@ TEST_F(Dicom, AMissingSliceIsMissed) {
 
 TEST_F(Dicom, UnevenDistancesAreWarnedOf) {
   write_series();
-  Slice moved = at(1);
+  DicomSlice moved = dicom_slice_at(1);
   moved.position = "10\\20\\2.1";
   write("8", moved);
   const Volume volume = read();
@@ -215,7 +121,7 @@ TEST_F(Dicom, OfSeveralSeriesOneIsChosen) {
 TEST_F(Dicom, SeveralSlicesAtEachPlaceAreFrames) {
   write_series("a");
   for (int z = 0; z < 4; ++z) {
-    Slice slice = at(z);
+    DicomSlice slice = dicom_slice_at(z);
     slice.instance += 4;
     slice.pixels[0] = 77;
     write(std::string("b").append(std::to_string(z)), slice);
@@ -228,7 +134,7 @@ TEST_F(Dicom, SeveralSlicesAtEachPlaceAreFrames) {
 }
 
 TEST_F(Dicom, RescalingGivesHounsfieldUnits) {
-  Slice slice;
+  DicomSlice slice;
   slice.is_signed = 0;
   slice.slope = "1";
   slice.intercept = "-1024";
@@ -245,7 +151,7 @@ TEST_F(Dicom, RescalingGivesHounsfieldUnits) {
 
 TEST_F(Dicom, SlicesMayHaveScalesOfTheirOwn) {
   for (int z = 0; z < 2; ++z) {
-    Slice slice = at(z);
+    DicomSlice slice = dicom_slice_at(z);
     slice.slope = std::to_string(2 + z);
     write(std::to_string(z), slice);
   }
@@ -256,7 +162,7 @@ TEST_F(Dicom, SlicesMayHaveScalesOfTheirOwn) {
 }
 
 TEST_F(Dicom, OnlyTheStoredBitsCount) {
-  Slice slice;
+  DicomSlice slice;
   slice.stored = 12;
   slice.high = 11;
   slice.pixels = {0x0fff, 0x7001, 0x0800, 0, 0, 0};
@@ -284,7 +190,7 @@ TEST_F(Dicom, WhatIsNoSliceOfNumbersIsRefusedByName) {
   EXPECT_TRUE(contains(refusal_of({.after = "garbage that is no element"}), "element"));
   EXPECT_NO_THROW(write("one", {.after = std::string(100, '\0')}); read_dicom(folder_ / "one"));
   // Fragments, as of JPEG.
-  std::string packed = Slice{.pixels = {}}.file();
+  std::string packed = DicomSlice{.pixels = {}}.file();
   packed += std::string("\xe0\x7f\x10\0OB\0\0\xff\xff\xff\xff", 12);
   packed += std::string("\xfe\xff\0\xe0\2\0\0\0ab\xfe\xff\xdd\xe0\0\0\0\0", 18);
   write_bytes(folder_ / "one", packed);
@@ -294,7 +200,7 @@ TEST_F(Dicom, WhatIsNoSliceOfNumbersIsRefusedByName) {
 
 TEST_F(Dicom, SlicesWithoutPlacesAreReadWhenTheSpacingIsGiven) {
   for (int z = 0; z < 3; ++z) {
-    Slice slice = at(z);
+    DicomSlice slice = dicom_slice_at(z);
     slice.position.clear();
     write(std::to_string(9 - z), slice);
   }
@@ -305,7 +211,7 @@ TEST_F(Dicom, SlicesWithoutPlacesAreReadWhenTheSpacingIsGiven) {
 
 TEST_F(Dicom, ATiltedStackIsRefusedAsSheared) {
   for (int z = 0; z < 3; ++z) {
-    Slice slice = at(z);
+    DicomSlice slice = dicom_slice_at(z);
     slice.position = "0\\";
     slice.position.append(std::to_string(z)).append("\\").append(std::to_string(2 * z));
     write(std::to_string(z), slice);
@@ -314,7 +220,7 @@ TEST_F(Dicom, ATiltedStackIsRefusedAsSheared) {
 }
 
 TEST_F(Dicom, ABombIsRefusedBeforeMemoryIsAskedFor) {
-  Slice bomb{.rows = 65535, .columns = 65535};
+  DicomSlice bomb{.rows = 65535, .columns = 65535};
   EXPECT_TRUE(contains(refusal_of(bomb), "take 8589672450 bytes"));
 }
 

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "core/errors.h"
+#include "tests/byte_samples.h"
 #include "tests/damaged_files.h"
+#include "tests/meta_image_samples.h"
 #include "tests/volume_test_files.h"
 #include "volume/meta_image.h"
 #include "volume/nifti.h"
@@ -14,14 +16,10 @@ namespace {
 using test::contains;
 using test::dozen_voxels;
 using test::message_of;
+using test::meta_image_header;
+using test::meta_image_packed;
 using test::TempFolder;
 using test::write_bytes;
-
-std::string header(const std::string& lines, const std::string& data = "LOCAL") {
-  return "ObjectType = Image\nNDims = 3\nBinaryData = True\nDimSize = 3 2 2\n"
-         "ElementType = MET_SHORT\n" +
-         lines + "ElementDataFile = " + data + "\n";
-}
 
 class MetaImage : public testing::Test {
  protected:
@@ -31,15 +29,10 @@ class MetaImage : public testing::Test {
     return read_meta_image(folder_ / "a.mha", options, limits);
   }
   Volume with(const std::string& lines, const FormatOptions& options = {}) const {
-    return read(header(lines) + dozen_voxels(Endian::little), options);
+    return read(meta_image_header(lines) + dozen_voxels(Endian::little), options);
   }
   std::string refusal(const std::string& lines) const {
     return message_of<InvalidInput>([&] { with(lines); });
-  }
-  std::string compressed(const std::string& packed, const std::string& lines = "") const {
-    return header("CompressedData = True\nCompressedDataSize = " + std::to_string(packed.size()) +
-                  "\n" + lines) +
-           packed;
   }
   TempFolder folder_;
 };
@@ -48,28 +41,28 @@ TEST_F(MetaImage, EveryEncodingAndByteOrderHoldsTheSameVoxels) {
   const VoxelArray expected = with("").values;
   EXPECT_EQ(std::get<std::vector<std::int16_t>>(expected)[11], 11);
   const std::string big = "BinaryDataByteOrderMSB = True\n";
-  for (const std::string& file :
-       {header(big) + dozen_voxels(Endian::big),
-        compressed(test::zlib_bytes(dozen_voxels(Endian::little))),
-        compressed(test::gzip_bytes(dozen_voxels(Endian::little))),
-        compressed(test::zlib_bytes(dozen_voxels(Endian::big)), "ElementByteOrderMSB = True\n")}) {
+  for (const std::string& file : {meta_image_header(big) + dozen_voxels(Endian::big),
+                                  meta_image_packed(test::zlib_bytes(dozen_voxels(Endian::little))),
+                                  meta_image_packed(test::gzip_bytes(dozen_voxels(Endian::little))),
+                                  meta_image_packed(test::zlib_bytes(dozen_voxels(Endian::big)),
+                                                    "ElementByteOrderMSB = True\n")}) {
     EXPECT_EQ(read(file).values, expected);
   }
 }
 
 TEST_F(MetaImage, ADetachedHeaderNamesItsDataFile) {
   const auto path = folder_ / "a.mhd";
-  write_bytes(path, header("", "a b.raw"));
+  write_bytes(path, meta_image_header("", "a b.raw"));
   write_bytes(folder_ / "a b.raw", dozen_voxels(Endian::little));
   EXPECT_EQ(read_meta_image(path).dims, (Index3{3, 2, 2}));
   write_bytes(folder_ / "a b.raw", "xyz" + dozen_voxels(Endian::little));
   EXPECT_THROW(read_meta_image(path), InvalidInput);
   for (const char* size : {"3", "-1"}) {
-    write_bytes(path, header(std::string("HeaderSize = ") + size + "\n", "a b.raw"));
+    write_bytes(path, meta_image_header(std::string("HeaderSize = ") + size + "\n", "a b.raw"));
     EXPECT_EQ(read_meta_image(path).dims, (Index3{3, 2, 2})) << size;
   }
   for (const char* list : {"LIST", "a%03d.raw 1 3 1"}) {
-    write_bytes(path, header("", list));
+    write_bytes(path, meta_image_header("", list));
     EXPECT_TRUE(contains(message_of<InvalidInput>([&] { read_meta_image(path); }), "several"));
   }
 }
@@ -77,14 +70,15 @@ TEST_F(MetaImage, ADetachedHeaderNamesItsDataFile) {
 TEST_F(MetaImage, NoFileCutShortIsRead) {
   const auto path = folder_ / "cut.mha";
   for (const std::string& whole :
-       {header("") + dozen_voxels(Endian::little),
-        compressed(test::zlib_bytes(dozen_voxels(Endian::little))),
-        header("CompressedData = True\n") + test::zlib_bytes(dozen_voxels(Endian::little))}) {
+       {meta_image_header("") + dozen_voxels(Endian::little),
+        meta_image_packed(test::zlib_bytes(dozen_voxels(Endian::little))),
+        meta_image_header("CompressedData = True\n") +
+            test::zlib_bytes(dozen_voxels(Endian::little))}) {
     test::expect_no_beginning_is_read(path, whole, [&] { read_meta_image(path); });
   }
   const auto detached = folder_ / "cut.mhd";
   write_bytes(folder_ / "cut.raw", dozen_voxels(Endian::little));
-  test::expect_no_beginning_is_read(detached, header("", "cut.raw"),
+  test::expect_no_beginning_is_read(detached, meta_image_header("", "cut.raw"),
                                     [&] { read_meta_image(detached); });
   test::expect_no_beginning_is_read(folder_ / "cut.raw", dozen_voxels(Endian::little),
                                     [&] { read_meta_image(detached); });
@@ -92,9 +86,9 @@ TEST_F(MetaImage, NoFileCutShortIsRead) {
 
 TEST_F(MetaImage, StatedAndPresentCompressedBytesMustAgree) {
   const std::string packed = test::zlib_bytes(dozen_voxels(Endian::little));
-  EXPECT_THROW(read(header("CompressedData = True\nCompressedDataSize = 5\n") + packed),
+  EXPECT_THROW(read(meta_image_header("CompressedData = True\nCompressedDataSize = 5\n") + packed),
                InvalidInput);
-  EXPECT_THROW(read(header("CompressedData = True\n") + packed + "x"), InvalidInput);
+  EXPECT_THROW(read(meta_image_header("CompressedData = True\n") + packed + "x"), InvalidInput);
 }
 
 TEST_F(MetaImage, KeepsSpacingOriginAndDirection) {

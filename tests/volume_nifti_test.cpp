@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "core/errors.h"
+#include "tests/byte_samples.h"
 #include "tests/damaged_files.h"
+#include "tests/nifti_samples.h"
 #include "tests/volume_test_files.h"
 #include "volume/nifti.h"
 
@@ -13,69 +15,10 @@ namespace {
 
 using test::contains;
 using test::message_of;
-using test::put;
+using test::nifti_2_file;
+using test::NiftiSample;
 using test::TempFolder;
 using test::write_bytes;
-
-// A header of NIfTI-1 with both maps, and int16 voxels 0, 1, 2, ...
-struct First {
-  Endian endian = Endian::little;
-  std::array<std::int16_t, 8> dim{3, 3, 2, 2, 1, 1, 1, 1};
-  std::int16_t type = 4;
-  std::int16_t bits = 16;
-  std::array<float, 4> pixdim{1, 2, 3, 4};
-  float from = 352;
-  float slope = 0;
-  float intercept = 0;
-  std::int16_t qform = 0;
-  std::int16_t sform = 0;
-  std::array<float, 6> quaternion{};
-  std::array<float, 12> rows{};
-  std::string magic{"n+1\0", 4};
-
-  std::string header() const {
-    std::string bytes(352, '\0');
-    put(bytes, 0, std::int32_t{348}, endian);
-    for (std::size_t i = 0; i < 8; ++i) put(bytes, 40 + 2 * i, dim[i], endian);
-    put(bytes, 70, type, endian);
-    put(bytes, 72, bits, endian);
-    for (std::size_t i = 0; i < 4; ++i) put(bytes, 76 + 4 * i, pixdim[i], endian);
-    put(bytes, 108, from, endian);
-    put(bytes, 112, slope, endian);
-    put(bytes, 116, intercept, endian);
-    bytes[123] = 2;
-    put(bytes, 252, qform, endian);
-    put(bytes, 254, sform, endian);
-    for (std::size_t i = 0; i < 6; ++i) put(bytes, 256 + 4 * i, quaternion[i], endian);
-    for (std::size_t i = 0; i < 12; ++i) put(bytes, 280 + 4 * i, rows[i], endian);
-    bytes.replace(344, 4, magic);
-    return bytes;
-  }
-  std::string voxels() const {
-    std::int64_t count = 1;
-    for (int i = 1; i <= dim[0]; ++i) count *= dim[i];
-    std::string bytes;
-    for (std::int64_t i = 0; i < count; ++i)
-      bytes += test::number_bytes(static_cast<std::int16_t>(i), endian);
-    return bytes;
-  }
-  std::string file() const { return header() + voxels(); }
-};
-
-std::string second_file(Endian endian, std::int64_t frames) {
-  std::string bytes(544, '\0');
-  put(bytes, 0, std::int32_t{540}, endian);
-  bytes.replace(4, 8, std::string("n+2\0\r\n\032\n", 8));
-  put(bytes, 12, std::int16_t{2}, endian);
-  put(bytes, 14, std::int16_t{8}, endian);
-  const std::array<std::int64_t, 5> dim{4, 2, 2, 2, frames};
-  for (std::size_t i = 0; i < 5; ++i) put(bytes, 16 + 8 * i, dim[i], endian);
-  for (std::size_t i = 0; i < 4; ++i) put(bytes, 104 + 8 * i, 1.0 + static_cast<double>(i), endian);
-  put(bytes, 168, std::int64_t{544}, endian);
-  for (std::int64_t value = 0; value < 8 * frames; ++value)
-    bytes.push_back(static_cast<char>(value));
-  return bytes;
-}
 
 class Nifti : public testing::Test {
  protected:
@@ -94,13 +37,13 @@ TEST_F(Nifti, BothByteOrdersBothVersionsAndGzipHoldTheSameVoxels) {
   std::vector<std::int16_t> expected;
   for (std::int16_t i = 0; i < 12; ++i) expected.push_back(i);
   for (const Endian endian : {Endian::little, Endian::big}) {
-    const std::string file = First{.endian = endian}.file();
+    const std::string file = NiftiSample{.endian = endian}.file();
     for (const std::string& bytes : {file, test::gzip_bytes(file)}) {
       const Volume volume = read(bytes);
       EXPECT_EQ(volume.dims, (Index3{3, 2, 2}));
       EXPECT_EQ(std::get<std::vector<std::int16_t>>(volume.values), expected);
     }
-    const Volume second = read(second_file(endian, 1));
+    const Volume second = read(nifti_2_file(endian, 1));
     EXPECT_EQ(std::get<std::vector<std::uint8_t>>(second.values),
               (std::vector<std::uint8_t>{0, 1, 2, 3, 4, 5, 6, 7}));
     EXPECT_EQ(second.spacing, (Vec3{2, 3, 4}));
@@ -108,7 +51,7 @@ TEST_F(Nifti, BothByteOrdersBothVersionsAndGzipHoldTheSameVoxels) {
 }
 
 TEST_F(Nifti, APairIsReadByEitherName) {
-  First pair{.from = 2, .magic = {"ni1\0", 4}};
+  NiftiSample pair{.from = 2, .magic = {"ni1\0", 4}};
   write_bytes(folder_ / "a.hdr", pair.header().substr(0, 348));
   write_bytes(folder_ / "a.img", "xx" + pair.voxels());
   for (const char* name : {"a.hdr", "a.img"}) {
@@ -124,7 +67,7 @@ TEST_F(Nifti, APairIsReadByEitherName) {
 }
 
 TEST_F(Nifti, NoFileCutShortIsRead) {
-  for (const std::string& file : {First{}.file(), second_file(Endian::big, 1)}) {
+  for (const std::string& file : {NiftiSample{}.file(), nifti_2_file(Endian::big, 1)}) {
     for (const std::string& bytes : {file, test::gzip_bytes(file)}) {
       const auto path = folder_ / "cut.nii";
       test::expect_no_beginning_is_read(path, bytes, [&] { read_nifti(path); });
@@ -133,7 +76,7 @@ TEST_F(Nifti, NoFileCutShortIsRead) {
 }
 
 TEST_F(Nifti, NoPairCutShortIsRead) {
-  const First pair{.from = 0, .magic = {"ni1\0", 4}};
+  const NiftiSample pair{.from = 0, .magic = {"ni1\0", 4}};
   const auto read_pair = [&] { read_nifti(folder_ / "p.hdr"); };
   write_bytes(folder_ / "p.img", pair.voxels());
   for (const std::string& header :
@@ -150,13 +93,14 @@ TEST_F(Nifti, NoPairCutShortIsRead) {
 }
 
 TEST_F(Nifti, BytesTooManyAreRefused) {
-  EXPECT_TRUE(contains(refusal(First{}.file() + "x"), "more bytes"));
-  EXPECT_TRUE(contains(refusal(test::gzip_bytes(First{}.file() + "x")), "more bytes"));
-  EXPECT_TRUE(contains(refusal(test::gzip_bytes(First{}.file()) + "x"), "other bytes follow"));
+  EXPECT_TRUE(contains(refusal(NiftiSample{}.file() + "x"), "more bytes"));
+  EXPECT_TRUE(contains(refusal(test::gzip_bytes(NiftiSample{}.file() + "x")), "more bytes"));
+  EXPECT_TRUE(
+      contains(refusal(test::gzip_bytes(NiftiSample{}.file()) + "x"), "other bytes follow"));
 }
 
 TEST_F(Nifti, GzipMembersInARowAreOneStream) {
-  const std::string file = First{}.file();
+  const std::string file = NiftiSample{}.file();
   const std::string first = test::gzip_bytes(file.substr(0, 360));
   const std::string second = test::gzip_bytes(file.substr(360));
   EXPECT_EQ(read(first + second).values, read(file).values);
@@ -164,7 +108,7 @@ TEST_F(Nifti, GzipMembersInARowAreOneStream) {
 }
 
 TEST_F(Nifti, DamagedCompressedBytesAreRefusedUnlessTheyChangeNothing) {
-  const std::string whole = test::gzip_bytes(First{}.file());
+  const std::string whole = test::gzip_bytes(NiftiSample{}.file());
   const VoxelArray expected = read(whole).values;
   std::size_t refused = 0;
   for (std::size_t at = 10; at < whole.size(); ++at) {
@@ -180,20 +124,20 @@ TEST_F(Nifti, DamagedCompressedBytesAreRefusedUnlessTheyChangeNothing) {
 }
 
 TEST_F(Nifti, SlopeAndInterceptApply) {
-  const Volume scaled = read(First{.slope = 0.5F, .intercept = -1.0F}.file());
+  const Volume scaled = read(NiftiSample{.slope = 0.5F, .intercept = -1.0F}.file());
   EXPECT_EQ(std::get<std::vector<float>>(scaled.values)[3], 0.5F);
-  const Volume whole = read(First{.slope = 2.0F, .intercept = -1024.0F}.file());
+  const Volume whole = read(NiftiSample{.slope = 2.0F, .intercept = -1024.0F}.file());
   EXPECT_EQ(std::get<std::vector<std::int16_t>>(whole.values)[3], -1018);
-  EXPECT_EQ(type_name(read(First{.slope = 1.0F}.file()).values), "int16");
+  EXPECT_EQ(type_name(read(NiftiSample{.slope = 1.0F}.file()).values), "int16");
   // A slope of 0 or NaN stands for none.
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(type_name(read(First{.slope = 0, .intercept = 7}.file()).values), "int16");
-  EXPECT_EQ(type_name(read(First{.slope = nan, .intercept = nan}.file()).values), "int16");
-  EXPECT_THROW(read(First{.slope = 2, .intercept = nan}.file()), InvalidInput);
+  EXPECT_EQ(type_name(read(NiftiSample{.slope = 0, .intercept = 7}.file()).values), "int16");
+  EXPECT_EQ(type_name(read(NiftiSample{.slope = nan, .intercept = nan}.file()).values), "int16");
+  EXPECT_THROW(read(NiftiSample{.slope = 2, .intercept = nan}.file()), InvalidInput);
 }
 
 TEST_F(Nifti, AFrameOfAFourDimensionalFileIsChosen) {
-  const std::string file = second_file(Endian::little, 3);
+  const std::string file = nifti_2_file(Endian::little, 3);
   EXPECT_TRUE(contains(message_of<InvalidArgument>([&] { read(file); }), "--frame 0 to 2"));
   EXPECT_EQ(std::get<std::vector<std::uint8_t>>(read(file, {.frame = 1}).values).front(), 8);
   EXPECT_EQ(std::get<std::vector<std::uint8_t>>(read(file, {.frame = 2}).values).back(), 23);
@@ -204,30 +148,30 @@ TEST_F(Nifti, AFrameOfAFourDimensionalFileIsChosen) {
 }
 
 TEST_F(Nifti, VoxelsThatAreNoNumbersAreRefusedByName) {
-  EXPECT_TRUE(contains(refusal(First{.type = 128, .bits = 24}.file()), "RGB"));
-  EXPECT_TRUE(contains(refusal(First{.type = 32, .bits = 64}.file()), "complex"));
-  EXPECT_TRUE(contains(refusal(First{.dim = {5, 3, 2, 2, 1, 3, 1, 1}}.file()), "vector"));
-  EXPECT_TRUE(contains(refusal(First{.type = 1536, .bits = 128}.file()), "1536"));
-  EXPECT_TRUE(contains(refusal(First{.bits = 8}.file()), "bits"));
+  EXPECT_TRUE(contains(refusal(NiftiSample{.type = 128, .bits = 24}.file()), "RGB"));
+  EXPECT_TRUE(contains(refusal(NiftiSample{.type = 32, .bits = 64}.file()), "complex"));
+  EXPECT_TRUE(contains(refusal(NiftiSample{.dim = {5, 3, 2, 2, 1, 3, 1, 1}}.file()), "vector"));
+  EXPECT_TRUE(contains(refusal(NiftiSample{.type = 1536, .bits = 128}.file()), "1536"));
+  EXPECT_TRUE(contains(refusal(NiftiSample{.bits = 8}.file()), "bits"));
 }
 
 TEST_F(Nifti, HeadersThatMakeNoSenseAreRefused) {
-  EXPECT_THROW(read(First{.dim = {3, 3, 0, 2, 1, 1, 1, 1}}.file()), InvalidInput);
-  EXPECT_THROW(read(First{.dim = {3, 3, -2, 2, 1, 1, 1, 1}}.file()), InvalidInput);
-  EXPECT_THROW(read(First{.dim = {0, 3, 2, 2, 1, 1, 1, 1}}.file()), InvalidInput);
-  EXPECT_THROW(read(First{.dim = {8, 3, 2, 2, 1, 1, 1, 1}}.file()), InvalidInput);
+  EXPECT_THROW(read(NiftiSample{.dim = {3, 3, 0, 2, 1, 1, 1, 1}}.file()), InvalidInput);
+  EXPECT_THROW(read(NiftiSample{.dim = {3, 3, -2, 2, 1, 1, 1, 1}}.file()), InvalidInput);
+  EXPECT_THROW(read(NiftiSample{.dim = {0, 3, 2, 2, 1, 1, 1, 1}}.file()), InvalidInput);
+  EXPECT_THROW(read(NiftiSample{.dim = {8, 3, 2, 2, 1, 1, 1, 1}}.file()), InvalidInput);
   for (const float from : {0.0F, -1.0F, 352.5F, 1e30F, std::nanf("")}) {
-    EXPECT_THROW(read(First{.from = from}.file()), InvalidInput) << from;
+    EXPECT_THROW(read(NiftiSample{.from = from}.file()), InvalidInput) << from;
   }
-  EXPECT_TRUE(contains(refusal(First{.magic = {"\0\0\0\0", 4}}.file()), "ANALYZE"));
+  EXPECT_TRUE(contains(refusal(NiftiSample{.magic = {"\0\0\0\0", 4}}.file()), "ANALYZE"));
   EXPECT_TRUE(contains(refusal(std::string(400, 'x')), "348"));
 }
 
 TEST_F(Nifti, TheSformComesBeforeTheQform) {
-  First file{.qform = 1,
-             .sform = 2,
-             .quaternion = {0, 0, 0, 10, 20, 30},
-             .rows = {-2, 0, 0, 5, 0, 3, 0, 6, 0, 0, 4, 7}};
+  NiftiSample file{.qform = 1,
+                   .sform = 2,
+                   .quaternion = {0, 0, 0, 10, 20, 30},
+                   .rows = {-2, 0, 0, 5, 0, 3, 0, 6, 0, 0, 4, 7}};
   const Volume by_sform = read(file.file());
   EXPECT_EQ(by_sform.frame, Frame::ras);
   EXPECT_EQ(by_sform.origin, (Vec3{5, 6, 7}));
@@ -250,16 +194,17 @@ TEST_F(Nifti, TheSformComesBeforeTheQform) {
 }
 
 TEST_F(Nifti, SpacingsThatAreNoneAreRefusedAndMayBeReplaced) {
-  EXPECT_TRUE(contains(refusal(First{.pixdim = {1, 2, -3, 4}}.file()), "length of 3"));
-  EXPECT_TRUE(contains(refusal(First{.pixdim = {1, 2, 0, 4}}.file()), "spacing 0 along y"));
-  EXPECT_TRUE(contains(refusal(First{.pixdim = {1, 2, std::nanf(""), 4}}.file()), "nan"));
-  const Volume volume = read(First{.pixdim = {1, 2, -3, 4}}.file(), {.spacing = Vec3{1, 2, 3}});
+  EXPECT_TRUE(contains(refusal(NiftiSample{.pixdim = {1, 2, -3, 4}}.file()), "length of 3"));
+  EXPECT_TRUE(contains(refusal(NiftiSample{.pixdim = {1, 2, 0, 4}}.file()), "spacing 0 along y"));
+  EXPECT_TRUE(contains(refusal(NiftiSample{.pixdim = {1, 2, std::nanf(""), 4}}.file()), "nan"));
+  const Volume volume =
+      read(NiftiSample{.pixdim = {1, 2, -3, 4}}.file(), {.spacing = Vec3{1, 2, 3}});
   EXPECT_EQ(volume.spacing, (Vec3{1, 2, 3}));
   EXPECT_EQ(volume.frame, Frame::index);
 }
 
 TEST_F(Nifti, AShearedSformIsRefusedWithBothReadings) {
-  First file{.sform = 2, .rows = {2, 1, 0, 0, 0, 3, 0, 0, 0, 0, 4, 0}};
+  NiftiSample file{.sform = 2, .rows = {2, 1, 0, 0, 0, 3, 0, 0, 0, 0, 4, 0}};
   EXPECT_TRUE(contains(refusal(file.file()), "sheared"));
   EXPECT_TRUE(contains(refusal(file.file()), "degrees"));
   file.qform = 1;
@@ -268,7 +213,7 @@ TEST_F(Nifti, AShearedSformIsRefusedWithBothReadings) {
 }
 
 TEST_F(Nifti, ABombIsRefusedBeforeMemoryIsAskedFor) {
-  First bomb{.dim = {3, 32767, 32767, 32767, 1, 1, 1, 1}};
+  NiftiSample bomb{.dim = {3, 32767, 32767, 32767, 1, 1, 1, 1}};
   const std::string bytes = bomb.header() + std::string(16, '\0');
   for (const std::string& file : {bytes, test::gzip_bytes(bytes)}) {
     write_bytes(folder_ / "a.nii", file);
@@ -282,7 +227,7 @@ TEST_F(Nifti, ABombIsRefusedBeforeMemoryIsAskedFor) {
 }
 
 TEST_F(Nifti, IntegersOf64BitsAreReadIfTheyFit) {
-  First wide{.dim = {1, 2, 1, 1, 1, 1, 1, 1}, .type = 1024, .bits = 64};
+  NiftiSample wide{.dim = {1, 2, 1, 1, 1, 1, 1, 1}, .type = 1024, .bits = 64};
   const auto file = [&](std::int64_t value) {
     return wide.header() + test::number_bytes(value, Endian::little) +
            test::number_bytes(std::int64_t{-7}, Endian::little);

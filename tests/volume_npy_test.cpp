@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "core/errors.h"
+#include "tests/byte_samples.h"
 #include "tests/damaged_files.h"
+#include "tests/npy_samples.h"
 #include "tests/volume_test_files.h"
 #include "volume/npy.h"
 
@@ -10,20 +12,9 @@ namespace {
 
 using test::contains;
 using test::message_of;
+using test::npy_header;
 using test::TempFolder;
 using test::write_bytes;
-
-std::string header(const std::string& type, const std::string& shape, bool fortran = false,
-                   char version = 1) {
-  std::string text = "{'descr': '" + type + "', 'fortran_order': " + (fortran ? "True" : "False") +
-                     ", 'shape': " + shape + ", }";
-  while ((text.size() + 11) % 16 != 0) text.push_back(' ');
-  text.push_back('\n');
-  const auto size = static_cast<std::uint32_t>(text.size());
-  std::string length = test::number_bytes(size, Endian::little);
-  if (version == 1) length.resize(2);
-  return std::string("\x93NUMPY") + version + '\0' + length + text;
-}
 
 // 0 to 23 as 16 bits: of array[z, y, x] with 2, 3 and 4 voxels in C order.
 std::string voxels(Endian endian) {
@@ -47,13 +38,14 @@ class Npy : public testing::Test {
 
 TEST_F(Npy, TheLastAxisIsX) {
   for (const char version : {1, 2, 3}) {
-    const Volume volume = read(header("<i2", "(2, 3, 4)", false, version) + voxels(Endian::little));
+    const Volume volume =
+        read(npy_header("<i2", "(2, 3, 4)", false, version) + voxels(Endian::little));
     EXPECT_EQ(volume.dims, (Index3{4, 3, 2}));
     EXPECT_EQ(std::get<std::vector<std::int16_t>>(volume.values)[5], 5);
   }
-  EXPECT_EQ(read(header(">i2", "(2, 3, 4)") + voxels(Endian::big)).values,
-            read(header("<i2", "(2, 3, 4)") + voxels(Endian::little)).values);
-  EXPECT_EQ(read(header("<i2", "(6, 4)") + voxels(Endian::little)).dims, (Index3{4, 6, 1}));
+  EXPECT_EQ(read(npy_header(">i2", "(2, 3, 4)") + voxels(Endian::big)).values,
+            read(npy_header("<i2", "(2, 3, 4)") + voxels(Endian::little)).values);
+  EXPECT_EQ(read(npy_header("<i2", "(6, 4)") + voxels(Endian::little)).dims, (Index3{4, 6, 1}));
 }
 
 TEST_F(Npy, FortranOrderIsTheSameArray) {
@@ -65,48 +57,48 @@ TEST_F(Npy, FortranOrderIsTheSameArray) {
       }
     }
   }
-  EXPECT_EQ(read(header("<i2", "(2, 3, 4)", true) + bytes).values,
-            read(header("<i2", "(2, 3, 4)") + voxels(Endian::little)).values);
+  EXPECT_EQ(read(npy_header("<i2", "(2, 3, 4)", true) + bytes).values,
+            read(npy_header("<i2", "(2, 3, 4)") + voxels(Endian::little)).values);
 }
 
 TEST_F(Npy, FourAxesBeginWithFrames) {
-  const std::string file = header("<i2", "(3, 2, 2, 2)") + voxels(Endian::little);
+  const std::string file = npy_header("<i2", "(3, 2, 2, 2)") + voxels(Endian::little);
   EXPECT_TRUE(contains(message_of<InvalidArgument>([&] { read(file); }), "--frame 0 to 2"));
   EXPECT_EQ(std::get<std::vector<std::int16_t>>(read(file, {.frame = 2}).values)[0], 16);
 }
 
 TEST_F(Npy, NoFileCutShortIsRead) {
   const auto path = folder_ / "cut.npy";
-  test::expect_no_beginning_is_read(path, header("<i2", "(2, 3, 4)") + voxels(Endian::little),
+  test::expect_no_beginning_is_read(path, npy_header("<i2", "(2, 3, 4)") + voxels(Endian::little),
                                     [&] { read_npy(path); });
-  EXPECT_THROW(read(header("<i2", "(2, 3, 4)") + voxels(Endian::little) + "x"), InvalidInput);
+  EXPECT_THROW(read(npy_header("<i2", "(2, 3, 4)") + voxels(Endian::little) + "x"), InvalidInput);
 }
 
 TEST_F(Npy, WhatIsNoVolumeOfNumbersIsRefusedByName) {
-  EXPECT_TRUE(contains(refusal(header("<c8", "(1, 1, 1)") + "12345678"), "complex"));
-  EXPECT_TRUE(contains(refusal(header("|O", "(1, 1, 1)")), "'|O'"));
-  EXPECT_TRUE(contains(refusal(header("<f2", "(1, 1, 1)") + "12"), "<f2"));
-  EXPECT_TRUE(contains(refusal(header("<i2", "(24,)") + voxels(Endian::little)), "1 axes"));
-  EXPECT_THROW(read(header("<i2", "(2, -3, 4)")), InvalidInput);
-  EXPECT_THROW(read(header("<i2", "(2, 3, x)")), InvalidInput);
-  EXPECT_THROW(read(header("<i2", "(0, 3, 2)")), InvalidInput);
+  EXPECT_TRUE(contains(refusal(npy_header("<c8", "(1, 1, 1)") + "12345678"), "complex"));
+  EXPECT_TRUE(contains(refusal(npy_header("|O", "(1, 1, 1)")), "'|O'"));
+  EXPECT_TRUE(contains(refusal(npy_header("<f2", "(1, 1, 1)") + "12"), "<f2"));
+  EXPECT_TRUE(contains(refusal(npy_header("<i2", "(24,)") + voxels(Endian::little)), "1 axes"));
+  EXPECT_THROW(read(npy_header("<i2", "(2, -3, 4)")), InvalidInput);
+  EXPECT_THROW(read(npy_header("<i2", "(2, 3, x)")), InvalidInput);
+  EXPECT_THROW(read(npy_header("<i2", "(0, 3, 2)")), InvalidInput);
   EXPECT_TRUE(contains(refusal("PK\3\4, a whole archive"), "no .npy"));
-  std::string records = header("<i2", "(1, 1, 1)");
+  std::string records = npy_header("<i2", "(1, 1, 1)");
   records.replace(records.find("'<i2'"), 5, "[('a'");
   EXPECT_TRUE(contains(refusal(records), "records"));
 }
 
 TEST_F(Npy, ABombIsRefusedBeforeMemoryIsAskedFor) {
   for (const bool fortran : {false, true}) {
-    const std::string bomb = header("<f8", "(99999, 99999, 99999)", fortran) + "tiny";
+    const std::string bomb = npy_header("<f8", "(99999, 99999, 99999)", fortran) + "tiny";
     EXPECT_TRUE(contains(message_of<LimitExceeded>([&] { read(bomb); }), "--max-memory"));
     EXPECT_THROW(read(bomb, {}, {.max_bytes = ~std::uint64_t{0}}), InvalidInput);
   }
-  EXPECT_THROW(read(header("<i2", "(9999999999, 9999999999, 9999999999)")), LimitExceeded);
+  EXPECT_THROW(read(npy_header("<i2", "(9999999999, 9999999999, 9999999999)")), LimitExceeded);
 }
 
 TEST_F(Npy, TheSpacingIsThatOfTheOptions) {
-  const std::string file = header("|b1", "(1, 1, 2)") + std::string("\1\0", 2);
+  const std::string file = npy_header("|b1", "(1, 1, 2)") + std::string("\1\0", 2);
   EXPECT_EQ(read(file).spacing, (Vec3{1, 1, 1}));
   EXPECT_EQ(read(file, {.spacing = Vec3{1, 2, 3}}).spacing, (Vec3{1, 2, 3}));
   EXPECT_EQ(read(file).frame, Frame::index);

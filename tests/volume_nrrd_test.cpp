@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "core/errors.h"
+#include "tests/byte_samples.h"
 #include "tests/damaged_files.h"
+#include "tests/nrrd_samples.h"
 #include "tests/volume_test_files.h"
 #include "volume/nifti.h"
 #include "volume/nrrd.h"
@@ -15,14 +17,10 @@ namespace {
 using test::contains;
 using test::dozen_voxels;
 using test::message_of;
+using test::nrrd_header;
+using test::nrrd_plain;
 using test::TempFolder;
 using test::write_bytes;
-
-std::string header(const std::string& lines) {
-  return "NRRD0004\n# a comment\ntype: short\ndimension: 3\nsizes: 3 2 2\n" + lines;
-}
-
-const std::string plain = "endian: little\nencoding: raw\n";
 
 class Nrrd : public testing::Test {
  protected:
@@ -33,7 +31,7 @@ class Nrrd : public testing::Test {
   }
   // Of a header with these lines and the usual voxels.
   Volume with(const std::string& lines, const FormatOptions& options = {}) const {
-    return read(header(plain + lines) + "\n" + dozen_voxels(Endian::little), options);
+    return read(nrrd_header(nrrd_plain + lines) + "\n" + dozen_voxels(Endian::little), options);
   }
   std::string refusal(const std::string& lines) const {
     return message_of<InvalidInput>([&] { with(lines); });
@@ -49,11 +47,13 @@ TEST_F(Nrrd, EveryEncodingAndByteOrderHoldsTheSameVoxels) {
         std::string("endian: ") + (endian == Endian::big ? "big" : "little") + "\n";
     const std::string bytes = dozen_voxels(endian);
     for (const std::string& file :
-         {header(order + "encoding: raw\n") + "\n" + bytes,
-          header(order + "encoding: gzip\nkey:=any value\n") + "\n" + test::gzip_bytes(bytes),
-          header(order + "encoding: raw\nline skip: 1\nbyte skip: 3\n") + "\nline\nabc" + bytes,
-          header(order + "encoding: raw\nbyte skip: -1\n") + "\nany bytes" + bytes,
-          header(order + "encoding: gz\nbyte skip: 2\n") + "\n" + test::gzip_bytes("ab" + bytes)}) {
+         {nrrd_header(order + "encoding: raw\n") + "\n" + bytes,
+          nrrd_header(order + "encoding: gzip\nkey:=any value\n") + "\n" + test::gzip_bytes(bytes),
+          nrrd_header(order + "encoding: raw\nline skip: 1\nbyte skip: 3\n") + "\nline\nabc" +
+              bytes,
+          nrrd_header(order + "encoding: raw\nbyte skip: -1\n") + "\nany bytes" + bytes,
+          nrrd_header(order + "encoding: gz\nbyte skip: 2\n") + "\n" +
+              test::gzip_bytes("ab" + bytes)}) {
       const Volume volume = read(file);
       EXPECT_EQ(volume.dims, (Index3{3, 2, 2}));
       EXPECT_EQ(std::get<std::vector<std::int16_t>>(volume.values), expected);
@@ -62,35 +62,36 @@ TEST_F(Nrrd, EveryEncodingAndByteOrderHoldsTheSameVoxels) {
 }
 
 TEST_F(Nrrd, ADetachedHeaderNamesItsDataFile) {
-  write_bytes(folder_ / "a.nhdr", header(plain + "data file: ./a.raw\n"));
+  write_bytes(folder_ / "a.nhdr", nrrd_header(nrrd_plain + "data file: ./a.raw\n"));
   write_bytes(folder_ / "a.raw", dozen_voxels(Endian::little));
   EXPECT_EQ(read_nrrd(folder_ / "a.nhdr").dims, (Index3{3, 2, 2}));
   std::filesystem::remove(folder_ / "a.raw");
   EXPECT_TRUE(contains(message_of<InvalidInput>([&] { read_nrrd(folder_ / "a.nhdr"); }), "a.raw"));
-  write_bytes(folder_ / "a.nhdr", header(plain + "data file: /dev/zero\n"));
+  write_bytes(folder_ / "a.nhdr", nrrd_header(nrrd_plain + "data file: /dev/zero\n"));
   EXPECT_THROW(read_nrrd(folder_ / "a.nhdr"), InvalidInput);
-  write_bytes(folder_ / "a.nhdr", header(plain + "data file: LIST\na.raw\nb.raw\n"));
+  write_bytes(folder_ / "a.nhdr", nrrd_header(nrrd_plain + "data file: LIST\na.raw\nb.raw\n"));
   EXPECT_TRUE(
       contains(message_of<InvalidInput>([&] { read_nrrd(folder_ / "a.nhdr"); }), "several files"));
 }
 
 TEST_F(Nrrd, NoFileCutShortIsRead) {
   const auto path = folder_ / "cut.nrrd";
-  for (const std::string& whole : {header(plain) + "\n" + dozen_voxels(Endian::little),
-                                   header("endian: big\nencoding: gzip\n") + "\n" +
+  for (const std::string& whole : {nrrd_header(nrrd_plain) + "\n" + dozen_voxels(Endian::little),
+                                   nrrd_header("endian: big\nencoding: gzip\n") + "\n" +
                                        test::gzip_bytes(dozen_voxels(Endian::big))}) {
     test::expect_no_beginning_is_read(path, whole, [&] { read_nrrd(path); });
   }
   write_bytes(folder_ / "cut.raw", dozen_voxels(Endian::little));
   const auto detached = folder_ / "cut.nhdr";
-  const std::string whole = header("data file: cut.raw\n" + plain);
+  const std::string whole = nrrd_header("data file: cut.raw\n" + nrrd_plain);
   test::expect_no_beginning_is_read(detached, whole, [&] { read_nrrd(detached); });
   test::expect_no_beginning_is_read(folder_ / "cut.raw", dozen_voxels(Endian::little),
                                     [&] { read_nrrd(detached); });
 }
 
 TEST_F(Nrrd, BytesTooManyAreRefused) {
-  EXPECT_THROW(read(header(plain) + "\n" + dozen_voxels(Endian::little) + "x"), InvalidInput);
+  EXPECT_THROW(read(nrrd_header(nrrd_plain) + "\n" + dozen_voxels(Endian::little) + "x"),
+               InvalidInput);
 }
 
 TEST_F(Nrrd, TheSpaceGivesFrameAndPlace) {
@@ -133,13 +134,14 @@ TEST_F(Nrrd, WhatIsNoVolumeIsRefusedByName) {
   EXPECT_TRUE(contains(refusal("kinds: RGB-color domain domain\n"), "rgb-color"));
   EXPECT_TRUE(contains(refusal("kinds: complex domain domain\n"), "complex"));
   const auto with_encoding = [&](const char* name) {
-    return message_of<InvalidInput>(
-        [&] { read(header(std::string("endian: big\nencoding: ") + name + "\n") + "\n1 2 3\n"); });
+    return message_of<InvalidInput>([&] {
+      read(nrrd_header(std::string("endian: big\nencoding: ") + name + "\n") + "\n1 2 3\n");
+    });
   };
   EXPECT_TRUE(contains(with_encoding("ascii"), "'ascii'"));
   EXPECT_TRUE(contains(with_encoding("bzip2"), "'bzip2'"));
-  EXPECT_TRUE(contains(message_of<InvalidInput>([&] { read(header("encoding: raw\n") + "\n"); }),
-                       "endian"));
+  EXPECT_TRUE(contains(
+      message_of<InvalidInput>([&] { read(nrrd_header("encoding: raw\n") + "\n"); }), "endian"));
   EXPECT_THROW(with("sizes: 3 2 2\n"), InvalidInput);  // stated twice
   EXPECT_THROW(read("NRRD0009\n"), InvalidInput);
   EXPECT_THROW(read("NRRD0004\nno colon\n\n"), InvalidInput);

@@ -1,8 +1,9 @@
 #include <gtest/gtest.h>
-#include <tiffio.h>
 
 #include "core/errors.h"
+#include "tests/byte_samples.h"
 #include "tests/damaged_files.h"
+#include "tests/tiff_samples.h"
 #include "tests/volume_test_files.h"
 #include "volume/tiff.h"
 
@@ -10,95 +11,33 @@ namespace isoloop {
 namespace {
 
 using test::contains;
+using test::every_sort_of_tiff;
 using test::message_of;
 using test::put;
 using test::TempFolder;
+using test::TiffSample;
 using test::write_bytes;
-
-// Pages of 5 x 4 pixels of 16 bits: 100 z + x + 5 y.
-struct Written {
-  const char* mode = "wl";  // "wb": big-endian, "w8": BigTIFF
-  std::uint16_t compression = COMPRESSION_NONE;
-  bool tiled = false;
-  int pages = 2;
-  std::uint32_t width = 5;
-  std::uint16_t samples = 1;
-  std::uint16_t format = SAMPLEFORMAT_UINT;
-  std::string description{};
-};
-
-void write_page(TIFF* file, const Written& written, int z) {
-  TIFFSetField(file, TIFFTAG_IMAGEWIDTH, written.width);
-  TIFFSetField(file, TIFFTAG_IMAGELENGTH, 4);
-  TIFFSetField(file, TIFFTAG_BITSPERSAMPLE, 16);
-  TIFFSetField(file, TIFFTAG_SAMPLESPERPIXEL, written.samples);
-  TIFFSetField(file, TIFFTAG_SAMPLEFORMAT, written.format);
-  TIFFSetField(file, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
-  TIFFSetField(file, TIFFTAG_PHOTOMETRIC,
-               written.samples == 3 ? PHOTOMETRIC_RGB : PHOTOMETRIC_MINISBLACK);
-  TIFFSetField(file, TIFFTAG_COMPRESSION, written.compression);
-  if (!written.description.empty()) {
-    TIFFSetField(file, TIFFTAG_IMAGEDESCRIPTION, written.description.c_str());
-  }
-  if (written.tiled) {
-    TIFFSetField(file, TIFFTAG_TILEWIDTH, 16);
-    TIFFSetField(file, TIFFTAG_TILELENGTH, 16);
-    std::vector<std::uint16_t> tile(256);
-    for (std::uint16_t y = 0; y < 4; ++y) {
-      for (std::uint16_t x = 0; x < written.width; ++x) {
-        tile[16U * y + x] = static_cast<std::uint16_t>(100 * z + x + 5 * y);
-      }
-    }
-    ASSERT_GT(TIFFWriteEncodedTile(file, 0, tile.data(), 512), 0);
-  } else {
-    TIFFSetField(file, TIFFTAG_ROWSPERSTRIP, 3);
-    for (std::uint16_t y = 0; y < 4; ++y) {
-      std::vector<std::uint16_t> row(std::size_t{written.width} * written.samples);
-      for (std::size_t x = 0; x < row.size(); ++x) {
-        row[x] = static_cast<std::uint16_t>(100U * static_cast<unsigned>(z) + x + 5U * y);
-      }
-      ASSERT_EQ(TIFFWriteScanline(file, row.data(), y), 1);
-    }
-  }
-  ASSERT_EQ(TIFFWriteDirectory(file), 1);
-}
+using test::write_tiff_page;
 
 class Tiff : public testing::Test {
  protected:
-  std::string bytes_of(const Written& written) const {
-    const auto path = folder_ / "written";
-    TIFF* file = TIFFOpen(path.c_str(), written.mode);
-    EXPECT_NE(file, nullptr);
-    for (int z = 0; z < written.pages; ++z) write_page(file, written, z);
-    TIFFClose(file);
-    const std::string bytes = test::read_bytes(path);
-    std::filesystem::remove(path);
-    return bytes;
+  std::string bytes_of(const TiffSample& sample) const {
+    return test::tiff_bytes(sample, folder_ / "written");
   }
   Volume read(const std::string& bytes, const FormatOptions& options = {},
               const VoxelLimits& limits = {}) const {
     write_bytes(folder_ / "a.tif", bytes);
     return read_tiff(folder_ / "a.tif", options, limits);
   }
-  std::string refusal(const Written& written) const {
-    return message_of<InvalidInput>([&] { read(bytes_of(written)); });
-  }
-  std::vector<Written> every_sort() const {
-    return {{},
-            {.mode = "wb"},
-            {.mode = "w8"},
-            {.compression = COMPRESSION_LZW},
-            {.mode = "wb", .compression = COMPRESSION_ADOBE_DEFLATE},
-            {.compression = COMPRESSION_PACKBITS},
-            {.tiled = true},
-            {.compression = COMPRESSION_LZW, .tiled = true}};
+  std::string refusal(const TiffSample& sample) const {
+    return message_of<InvalidInput>([&] { read(bytes_of(sample)); });
   }
   TempFolder folder_;
 };
 
 TEST_F(Tiff, EverySortHoldsTheSameVoxels) {
-  for (const Written& written : every_sort()) {
-    const Volume volume = read(bytes_of(written));
+  for (const TiffSample& sample : every_sort_of_tiff()) {
+    const Volume volume = read(bytes_of(sample));
     EXPECT_EQ(volume.dims, (Index3{5, 4, 2}));
     const auto& values = std::get<std::vector<std::uint16_t>>(volume.values);
     EXPECT_EQ(values[1], 1);
@@ -108,9 +47,9 @@ TEST_F(Tiff, EverySortHoldsTheSameVoxels) {
 }
 
 TEST_F(Tiff, NoFileCutShortIsRead) {
-  for (const Written& written : every_sort()) {
+  for (const TiffSample& sample : every_sort_of_tiff()) {
     const auto path = folder_ / "cut.tif";
-    test::expect_no_beginning_is_read(path, bytes_of(written), [&] { read_tiff(path); });
+    test::expect_no_beginning_is_read(path, bytes_of(sample), [&] { read_tiff(path); });
   }
 }
 
@@ -144,8 +83,8 @@ TEST_F(Tiff, FramesOfAStackAreChosen) {
 TEST_F(Tiff, PagesThatDifferAreRefused) {
   const auto path = folder_ / "a.tif";
   TIFF* file = TIFFOpen(path.c_str(), "w");
-  write_page(file, {}, 0);
-  write_page(file, {.width = 6}, 1);
+  write_tiff_page(file, {}, 0);
+  write_tiff_page(file, {.width = 6}, 1);
   TIFFClose(file);
   EXPECT_TRUE(contains(message_of<InvalidInput>([&] { read_tiff(path); }), "differs"));
 }
@@ -155,7 +94,7 @@ TEST_F(Tiff, AFolderIsReadInTheOrderOfTheNumbersInItsNames) {
   for (const int z : {9, 10, 11}) {
     const auto path = folder / std::string("slice_").append(std::to_string(z)).append(".tif");
     TIFF* file = TIFFOpen(path.c_str(), "w");
-    write_page(file, {}, z);
+    write_tiff_page(file, {}, z);
     TIFFClose(file);
   }
   write_bytes(folder / "notes.txt", "not looked at");
@@ -188,8 +127,8 @@ TEST_F(Tiff, ABombIsRefusedBeforeMemoryIsAskedFor) {
 }
 
 TEST_F(Tiff, NoFlippedByteEndsTheProcess) {
-  for (const Written& written : every_sort()) {
-    const std::string whole = bytes_of(written);
+  for (const TiffSample& sample : every_sort_of_tiff()) {
+    const std::string whole = bytes_of(sample);
     for (std::size_t at = 0; at < whole.size(); at += 3) {
       std::string damaged = whole;
       damaged[at] = static_cast<char>(damaged[at] ^ 0xff);
