@@ -116,6 +116,27 @@ TEST_F(Tiff, DirectoriesInACircleAreRefused) {
   EXPECT_TRUE(contains(message_of<InvalidInput>([&] { read(bytes); }), "circle"));
 }
 
+TEST_F(Tiff, PagesThatShareOneListOfStripsAreRefused) {
+  constexpr std::uint32_t strips = 2000;
+  constexpr std::uint32_t pages = 200;
+  constexpr std::uint32_t page_bytes = 30;
+  std::string bytes("II*\0", 4);
+  const auto add = [&](auto number) { bytes += test::number_bytes(number, Endian::little); };
+  add(std::uint32_t{8 + 8 * strips});
+  bytes.append(8 * std::size_t{strips}, '\0');
+  for (std::uint32_t page = 1; page <= pages; ++page) {
+    add(std::uint16_t{2});
+    for (const std::uint16_t tag : {TIFFTAG_STRIPOFFSETS, TIFFTAG_STRIPBYTECOUNTS}) {
+      add(tag);
+      add(std::uint16_t{TIFF_LONG});
+      add(strips);
+      add(std::uint32_t{8});
+    }
+    add(page < pages ? 8 + 8 * strips + page * page_bytes : std::uint32_t{0});
+  }
+  EXPECT_TRUE(contains(message_of<InvalidInput>([&] { read(bytes); }), "share one list"));
+}
+
 TEST_F(Tiff, ABombIsRefusedBeforeMemoryIsAskedFor) {
   std::string bytes = bytes_of({.pages = 1});
   const auto at = load<std::uint32_t>(std::as_bytes(std::span(bytes)), 4, Endian::little);

@@ -232,11 +232,11 @@ std::int64_t stated(const std::string& description, const std::string& name) {
 
 std::vector<Slice> pages_of(const std::filesystem::path& path, VoxelLayout& layout) {
   std::vector<Slice> slices;
-  const std::vector<TiffPage> pages = read_tiff_pages(path);
-  slices.reserve(pages.size());
-  for (const TiffPage& page : pages) slices.push_back({path, page.at});
-  const std::string& text = pages.front().description;
-  const auto count = static_cast<std::int64_t>(pages.size());
+  const TiffPages pages = read_tiff_pages(path);
+  slices.reserve(pages.at.size());
+  for (const std::uint64_t at : pages.at) slices.push_back({path, at});
+  const std::string& text = pages.description;
+  const auto count = static_cast<std::int64_t>(pages.at.size());
   if (stated(text, "images") > count) {
     refuse(path.string(), "states " + std::to_string(stated(text, "images")) +
                               " images but holds " + std::to_string(count) +
@@ -297,12 +297,12 @@ std::vector<Slice> files_of(const std::filesystem::path& folder) {
   });
   std::vector<Slice> slices;
   for (const auto& file : files) {
-    const std::vector<TiffPage> pages = read_tiff_pages(file);
-    if (pages.size() > 1 && files.size() > 1) {
-      refuse(file.string(), "has " + std::to_string(pages.size()) +
+    const TiffPages pages = read_tiff_pages(file);
+    if (pages.at.size() > 1 && files.size() > 1) {
+      refuse(file.string(), "has " + std::to_string(pages.at.size()) +
                                 " pages; in a folder of slices each file is one page");
     }
-    for (const TiffPage& page : pages) slices.push_back({file, page.at});
+    for (const std::uint64_t at : pages.at) slices.push_back({file, at});
   }
   return slices;
 }

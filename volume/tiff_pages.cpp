@@ -32,17 +32,17 @@ class Walker {
   explicit Walker(const std::filesystem::path& path)
       : what_(path.string()), size_(stored_bytes(path)), file_(path, std::ios::binary) {}
 
-  std::vector<TiffPage> walk() {
+  TiffPages walk() {
     std::uint64_t at = first_directory();
-    std::vector<TiffPage> pages;
+    TiffPages pages;
     std::set<std::uint64_t> seen;
     while (at != 0) {
       constexpr std::size_t most_pages = 1000000;
       if (!seen.insert(at).second) refuse("its pages run in a circle");
-      if (pages.size() == most_pages) refuse("has more than a million pages");
+      if (pages.at.size() == most_pages) refuse("has more than a million pages");
       at = directory(at, pages);
     }
-    if (pages.empty()) refuse("has no pages");
+    if (pages.at.empty()) refuse("has no pages");
     return pages;
   }
 
@@ -56,6 +56,13 @@ class Walker {
       refuse("points " + std::to_string(bytes) + " bytes at byte " + std::to_string(at) +
              ", but has " + std::to_string(size_) + "; fetch the file again");
     }
+  }
+
+  // Entries that lie side by side are fewer than the file's bytes, so that pages which share theirs
+  // cannot make a small file long work.
+  void count_entries(std::uint64_t more) {
+    entries_ += more;
+    if (entries_ > size_) refuse("its pages share one list of strips; save it as a plain TIFF");
   }
 
   void read(std::uint64_t at, std::span<std::byte> to) {
@@ -125,34 +132,37 @@ class Walker {
     }
   }
 
-  std::uint64_t directory(std::uint64_t at, std::vector<TiffPage>& pages) {
+  std::uint64_t directory(std::uint64_t at, TiffPages& pages) {
     const std::uint64_t count = big_ ? number<std::uint64_t>(at) : number<std::uint16_t>(at);
     const std::uint64_t first = at + (big_ ? 8 : 2);
     const std::uint64_t width = big_ ? 20 : 12;
     if (count > 4096) refuse("has a directory of " + std::to_string(count) + " entries");
     check(first, count * width + (big_ ? 8 : 4));
-    TiffPage page{.at = at, .description = {}};
+    count_entries(count);
     Entry offsets;
     Entry counts;
     for (std::uint64_t i = 0; i < count; ++i) {
       const Entry one = entry(first + i * width);
       if (one.tag == strip_offsets_tag || one.tag == tile_offsets_tag) offsets = one;
       if (one.tag == strip_counts_tag || one.tag == tile_counts_tag) counts = one;
-      if (one.tag == description_tag && one.type == 2 && one.count < 65536) {
-        page.description.resize(one.count);
-        read(one.at, std::as_writable_bytes(std::span(page.description)));
+      const bool describes = one.tag == description_tag && one.type == 2 && one.count < 65536;
+      if (describes && pages.at.empty()) {
+        pages.description.resize(one.count);
+        read(one.at, std::as_writable_bytes(std::span(pages.description)));
       }
     }
     if (offsets.count == 0 || offsets.count != counts.count) {
       refuse("does not state where each of its strips is and how long");
     }
+    count_entries(offsets.count);
     for (std::uint64_t i = 0; i < offsets.count; ++i) check(value(offsets, i), value(counts, i));
-    pages.push_back(page);
+    pages.at.push_back(at);
     return place(first + count * width);
   }
 
   std::string what_;
   std::uint64_t size_;
+  std::uint64_t entries_ = 0;  // of directories, and of their lists of strips
   std::ifstream file_;
   Endian endian_ = Endian::little;
   bool big_ = false;
@@ -160,7 +170,7 @@ class Walker {
 
 }  // namespace
 
-std::vector<TiffPage> read_tiff_pages(const std::filesystem::path& path) {
+TiffPages read_tiff_pages(const std::filesystem::path& path) {
   check_is_file(path);
   return Walker(path).walk();
 }

@@ -8,14 +8,14 @@
 
 namespace isoloop {
 
-struct TiffPage {
-  std::uint64_t at = 0;     // byte of its directory
-  std::string description;  // what programs write of the image, at most 64 KiB
+struct TiffPages {
+  std::vector<std::uint64_t> at;  // byte of each page's directory
+  std::string description;        // what programs write of the first page, at most 64 KiB
 };
 
 /// The pages in order. Throws InvalidInput if the file cannot be read, is no TIFF file, or if a
 /// directory, a value or a strip or tile of pixels reaches beyond its end, if directories run in a
-/// circle, and for more than a million pages.
-std::vector<TiffPage> read_tiff_pages(const std::filesystem::path& path);
+/// circle or share what they list, and for more than a million pages.
+TiffPages read_tiff_pages(const std::filesystem::path& path);
 
 }  // namespace isoloop
