@@ -117,6 +117,19 @@ TEST(Voxelize, AnOpenMeshIsFloodedWithAWarning) {
   EXPECT_NE(at_length(mesh, 0.5).values, solid.values);
 }
 
+TEST(Voxelize, AnObjFileCutBetweenItsShellsIsReadWithAWarning) {
+  const Mesh boxes = test::joined(box_mesh({0, 0, 0}, {4, 4, 4}), box_mesh({6, 0, 0}, {9, 3, 3}));
+  const std::string whole = test::mesh_bytes(boxes, test::MeshFormat::obj);
+  const auto warnings = [](const std::string& bytes) {
+    return at_length(parse_mesh(bytes, MeshKind::obj, "a.obj"), 0.5).warnings;
+  };
+  EXPECT_TRUE(warnings(whole).empty());
+  const std::string cut = whole.substr(0, whole.find("f 9 "));
+  ASSERT_LT(cut.size(), whole.size());
+  ASSERT_EQ(warnings(cut).size(), 1U);
+  EXPECT_TRUE(contains(warnings(cut)[0], "8 points are in no face")) << warnings(cut)[0];
+}
+
 TEST(Voxelize, AThinWallStaysWhereVoxelsAreSmaller) {
   const Mesh plate = box_mesh({0, 0, 0}, {8, 8, 0.3});
   EXPECT_EQ(numbers(betti_of(at_length(plate, 0.25))), (Numbers{1, 0, 0}));

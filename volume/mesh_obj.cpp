@@ -20,6 +20,14 @@ std::uint32_t corner(const LineReader& lines, std::string_view word, std::size_t
   return static_cast<std::uint32_t>(number > 0 ? number - 1 : most + number);
 }
 
+std::size_t loose_points(const Mesh& mesh) {
+  std::vector<bool> used(mesh.points.size());
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::uint32_t point : triangle) used[point] = true;
+  }
+  return static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
+}
+
 }  // namespace
 
 Mesh parse_obj(std::string_view bytes, const std::string& what) {
@@ -50,6 +58,7 @@ Mesh parse_obj(std::string_view bytes, const std::string& what) {
       throw lines.error("no OBJ statement begins so");
     }
   }
+  mesh.loose_points = loose_points(mesh);
   return mesh;
 }
 

@@ -145,6 +145,11 @@ Volume voxelize(const Mesh& mesh, const VoxelSize& size, const VoxelLimits& limi
   for (std::size_t a = 0; a < 3; ++a) volume.origin[a] = box.low[a] - margin * length;
   volume.frame = Frame::world;
   volume.level_set = true;
+  if (mesh.loose_points > 0) {
+    volume.warnings.push_back(what + ": " + std::to_string(mesh.loose_points) +
+                              " points are in no face; the mesh is taken to be whole, but if the "
+                              "file was cut short, parts of it are missing");
+  }
   const std::vector<Vec3> points = index_points(mesh, volume.origin, length);
   std::vector<float> values =
       signed_distances(mesh, points, volume.dims, max_bytes, what, volume.warnings);
