@@ -6,7 +6,15 @@
 #include <sstream>
 #include <string>
 
+#include "tests/byte_samples.h"
+#include "tests/dicom_samples.h"
 #include "tests/mesh_samples.h"
+#include "tests/meta_image_samples.h"
+#include "tests/nifti_samples.h"
+#include "tests/npy_samples.h"
+#include "tests/nrrd_samples.h"
+#include "tests/tiff_samples.h"
+#include "tests/vti_samples.h"
 #include "volume/shapes.h"
 #include "volume/vdb.h"
 #include "volume/vdb_decode.h"
@@ -33,6 +41,132 @@ void write_raw_seeds() {
     }
   }
   write_seed("raw", "by_name", std::string(32, '\2'));
+}
+
+void write_nifti_seeds() {
+  using test::NiftiSample;
+  for (const Endian endian : {Endian::little, Endian::big}) {
+    const std::string end = endian == Endian::big ? "_big" : "_little";
+    write_seed("nifti", "first" + end, NiftiSample{.endian = endian}.file());
+    write_seed("nifti", "second" + end, test::nifti_2_file(endian, 1));
+    write_seed("nifti", "frames" + end, test::nifti_2_file(endian, 3));
+  }
+  write_seed("nifti", "placed",
+             NiftiSample{.slope = 0.5F,
+                         .intercept = -1.0F,
+                         .qform = 1,
+                         .sform = 2,
+                         .quaternion = {0, 1, 0, 5, 6, 7},
+                         .rows = {-2, 0, 0, 5, 0, 3, 0, 6, 0, 0, 4, 7}}
+                 .file());
+  const NiftiSample pair{.from = 2, .magic = {"ni1\0", 4}};
+  write_seed("nifti", "pair", pair.header().substr(0, 348) + "xx" + pair.voxels());
+  write_seed("nifti", "gzip", test::gzip_bytes(NiftiSample{}.file()));
+}
+
+void write_nrrd_seeds() {
+  using test::nrrd_header;
+  const std::string voxels = test::dozen_voxels(Endian::little);
+  const std::string packed = test::gzip_bytes(voxels);
+  const auto write = [](const std::string& name, const std::string& lines,
+                        const std::string& data) {
+    write_seed("nrrd", name, nrrd_header(lines) + "\n" + data);
+  };
+  write("little", test::nrrd_plain, voxels);
+  write("big", "endian: big\nencoding: raw\nspacings: 1 2 3\n", test::dozen_voxels(Endian::big));
+  write("placed",
+        test::nrrd_plain +
+            "space: left-anterior-superior\nspace directions: (0,2,0) (-3,0,0) (0,0,4)\n"
+            "space origin: (10,20,30)\n",
+        voxels);
+  write("skips", test::nrrd_plain + "line skip: 1\nbyte skip: 3\n", "line\nabc" + voxels);
+  write("last", test::nrrd_plain + "byte skip: -1\n", "any bytes" + voxels);
+  write("detached", test::nrrd_plain + "data file: a.raw\n", voxels);
+  write("gzip", "endian: little\nencoding: gzip\nkey:=any value\n", packed);
+  write("detached_gzip", "endian: little\nencoding: gz\ndata file: ./a.raw\n", packed);
+  write_seed("nrrd", "frames",
+             "NRRD0004\ntype: uchar\ndimension: 4\nsizes: 2 2 1 3\n"
+             "kinds: domain domain domain list\nspace: LPS\n"
+             "space directions: (1,0,0) (0,1,0) (0,0,1) none\nencoding: raw\n\nabcdefghijkl");
+}
+
+void write_meta_image_seeds() {
+  using test::meta_image_header;
+  const std::string voxels = test::dozen_voxels(Endian::little);
+  const auto write = [](const std::string& name, const std::string& bytes) {
+    write_seed("meta_image", name, bytes);
+  };
+  write("little", meta_image_header("") + voxels);
+  write("big",
+        meta_image_header("BinaryDataByteOrderMSB = True\n") + test::dozen_voxels(Endian::big));
+  write("placed", meta_image_header("TransformMatrix = 0 1 0 -1 0 0 0 0 1\nOffset = 5 6 7\n"
+                                    "ElementSpacing = 1 2 3\nElementSize = 9 9 9\n"
+                                    "ElementToIntensityFunctionSlope = 2\n"
+                                    "ElementToIntensityFunctionOffset = -3\n") +
+                      voxels);
+  write("zlib", test::meta_image_packed(test::zlib_bytes(voxels)));
+  write("gzip", test::meta_image_packed(test::gzip_bytes(voxels)));
+  write("detached", meta_image_header("", "a.raw") + voxels);
+  write("skips", meta_image_header("HeaderSize = 3\n", "a.raw") + "xyz" + voxels);
+  write("last", meta_image_header("HeaderSize = -1\n", "a.raw") + "xyz" + voxels);
+  write("frames",
+        "NDims = 4\nBinaryData = True\nDimSize = 2 2 1 3\nElementType = MET_UCHAR\n"
+        "ElementDataFile = LOCAL\nabcdefghijkl");
+}
+
+void write_npy_seeds() {
+  const auto write = [](const std::string& name, const std::string& header,
+                        const std::string& voxels) { write_seed("npy", name, header + voxels); };
+  for (const char version : {1, 2, 3}) {
+    write("version_" + std::to_string(version),
+          test::npy_header("<i2", "(2, 2, 3)", false, version), test::dozen_voxels(Endian::little));
+  }
+  write("big", test::npy_header(">i2", "(2, 2, 3)"), test::dozen_voxels(Endian::big));
+  write("flat", test::npy_header("<i2", "(4, 3)"), test::dozen_voxels(Endian::little));
+  write("fortran", test::npy_header("<i2", "(2, 2, 3)", true), test::dozen_voxels(Endian::little));
+  write("frames", test::npy_header("<i2", "(3, 2, 2, 1)"), test::dozen_voxels(Endian::little));
+  write("bool", test::npy_header("|b1", "(1, 1, 2)"), std::string("\1\0", 2));
+  write("wide", test::npy_header("<i8", "(1, 1, 3)"), test::dozen_voxels(Endian::little));
+  write("float", test::npy_header("<f4", "(1, 2, 3)"), test::dozen_voxels(Endian::little));
+}
+
+void write_vti_seeds() {
+  int number = 0;
+  for (const test::VtiSample& sample : test::every_sort_of_vti()) {
+    write_seed("vti", sample.format + std::to_string(number++), sample.file());
+  }
+  write_seed("vti", "placed",
+             test::VtiSample{.image = "Spacing=\"1 2 3\" Direction=\"0 -1 0 1 0 0 0 0 1\"",
+                             .more = "<DataArray type=\"UInt8\" Name=\"other\" format=\"ascii\">"
+                                     "1 1 1 1 1 1 1 1 1 1 1 9</DataArray>\n"}
+                 .file());
+}
+
+void write_dicom_seeds() {
+  using test::DicomSlice;
+  for (const char* syntax : {test::explicit_little, test::explicit_big, test::implicit_little}) {
+    write_seed("dicom", syntax, DicomSlice{.syntax = syntax}.file());
+  }
+  DicomSlice few_bits{.slope = "1", .intercept = "-1024", .stored = 12, .high = 11};
+  write_seed("dicom", "few_bits", few_bits.file());
+  std::string series;
+  for (int z = 0; z < 3; ++z) series += test::dicom_slice_at(2 - z).file();
+  write_seed("dicom", "series", series);
+  DicomSlice later = test::dicom_slice_at(0);
+  later.instance = 2;
+  write_seed("dicom", "frames", test::dicom_slice_at(0).file() + later.file());
+}
+
+void write_tiff_seeds() {
+  int number = 0;
+  const auto write = [](const std::string& name, const test::TiffSample& sample) {
+    write_seed("tiff", name, test::tiff_bytes(sample, root / "written.tif"));
+  };
+  for (const test::TiffSample& sample : test::every_sort_of_tiff()) {
+    write(std::to_string(number++), sample);
+  }
+  write("signed", {.format = SAMPLEFORMAT_INT});
+  write("stack", {.pages = 6, .description = "ImageJ=1.53\nimages=6\nslices=2\nframes=3\n"});
 }
 
 void write_vdb_seeds() {
@@ -81,6 +215,13 @@ int main(int argc, char** argv) {
   }
   root = argv[1];
   write_raw_seeds();
+  write_nifti_seeds();
+  write_nrrd_seeds();
+  write_meta_image_seeds();
+  write_npy_seeds();
+  write_vti_seeds();
+  write_dicom_seeds();
+  write_tiff_seeds();
   write_vdb_seeds();
   write_mesh_seeds();
 }

@@ -40,10 +40,22 @@ class Folder {
   std::filesystem::path path_;
 };
 
+inline const std::filesystem::path& own_folder() {
+  static const Folder folder;
+  return folder.path();
+}
+
+/// A folder called `name` without files.
+inline std::filesystem::path empty_folder(const std::string& name) {
+  const std::filesystem::path folder = own_folder() / name;
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directory(folder);
+  return folder;
+}
+
 /// The bytes as a file called `name`, for readers that want a path.
 inline std::filesystem::path file_of(std::string_view bytes, const std::string& name) {
-  static const Folder folder;
-  const std::filesystem::path file = folder.path() / name;
+  const std::filesystem::path file = own_folder() / name;
   std::ofstream(file, std::ios::binary | std::ios::trunc)
       .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   return file;

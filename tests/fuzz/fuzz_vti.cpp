@@ -1,0 +1,9 @@
+#include "tests/fuzz/target.h"
+#include "volume/vti.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace isoloop;
+  return fuzz::expect_answer_or_error(data, size, [](std::string_view bytes) {
+    read_vti(fuzz::file_of(bytes, "a.vti"), {}, {.max_bytes = fuzz::most_bytes});
+  });
+}
