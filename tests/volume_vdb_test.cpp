@@ -1,7 +1,11 @@
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <fstream>
+#include <iostream>
+#include <span>
 #include <sstream>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <malloc.h>
@@ -215,19 +219,46 @@ Volume decode(const std::string& bytes) {
   return receive_volume(message, {}, "a.vdb");
 }
 
-/// In this process: tens of thousands of children would take an hour.
-void expect_refusal_at_any_byte(std::uint32_t codec) {
+/// Ends the process: with 0 if each of the lengths is refused, else with 1 and names the others.
+[[noreturn]] void decode_beginnings(const std::string& whole,
+                                    std::span<const std::size_t> lengths) {
   mallopt(M_MMAP_THRESHOLD, 64 << 20);  // nodes of 260 kB come and go: keep their pages
   mallopt(M_TRIM_THRESHOLD, 64 << 20);
+  bool refused = true;
+  for (const std::size_t length : lengths) {
+    try {
+      decode(whole.substr(0, length));
+      std::cerr << "read: " << length << " of " << whole.size() << '\n';
+    } catch (const InvalidInput&) {
+      continue;
+    } catch (const std::exception& error) {
+      std::cerr << length << " of " << whole.size() << ": " << error.what() << '\n';
+    }
+    refused = false;
+  }
+  std::_Exit(refused ? 0 : 1);
+}
+
+/// Hundreds in one process: tens of thousands of children would take an hour. Not all in this one:
+/// OpenVDB loses 260 kB or more of nodes with a file that breaks off, 5 GB in all.
+void expect_refusal_at_any_byte(std::uint32_t codec) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");  // a new program: this one may have threads
   const std::string whole = small_file(codec);
   EXPECT_EQ(decode(whole).dims, (Index3{23 + 3 + 1 + 2, 8 + 2, 10 + 2}));
   // Uncompressed, nearly all of the file is the values of two upper nodes, 144 kB.
   const std::size_t edge = 4000;
   const bool large = whole.size() > 40000;
+  std::vector<std::size_t> lengths;
   for (std::size_t length = 0; length < whole.size(); ++length) {
     if (large && length > edge && length + edge < whole.size()) length += 210;
-    EXPECT_THROW(decode(whole.substr(0, length)), InvalidInput)
-        << length << " of " << whole.size() << ", codec " << codec;
+    lengths.push_back(length);
+  }
+  constexpr std::size_t at_a_time = 500;
+  for (std::size_t first = 0; first < lengths.size(); first += at_a_time) {
+    const auto some =
+        std::span(lengths).subspan(first, std::min(at_a_time, lengths.size() - first));
+    EXPECT_EXIT(decode_beginnings(whole, some), testing::ExitedWithCode(0), "")
+        << "codec " << codec;
   }
 }
 
