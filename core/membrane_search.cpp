@@ -1,13 +1,21 @@
 #include "core/membrane_search.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "core/disjoint_sets.h"
 #include "core/vertex_cut.h"
 
 namespace isoloop {
+namespace {
+
+constexpr std::size_t most_turns = 3;  // groups of parts that are tried either way round
+
+}  // namespace
 
 /// The ends of the loop's grid edges on this side, or on the other.
 std::vector<std::uint32_t> MembraneFinder::Search::ends(bool on_this_side) const {
@@ -158,8 +166,68 @@ bool MembraneFinder::Search::explore_rest() {
     if (both && roots.size() <= 1) break;
   }
   for (const auto& [root, sides] : sides_met())
-    if (sides == 3U) parts.push_back(root);
+    if (sides == 3U) parts.push_back({root, 0, false});
   return !parts.empty();
+}
+
+/// On which of the two sides of its part of the rest the cell lies.
+bool MembraneFinder::Search::is_second(const Meeting& meeting) {
+  return parities.find(finder.node_of_vertex_[meeting.vertex]).odd ^
+         parities.find(finder.node_of_cell_[meeting.cell]).odd ^ meeting.odd;
+}
+
+/// Its place in `parts`, or their count if it meets N from one side only.
+std::uint32_t MembraneFinder::Search::part_at(const Meeting& meeting) {
+  const std::uint32_t root = parities.find(finder.node_of_vertex_[meeting.vertex]).root;
+  const auto at =
+      std::lower_bound(parts.begin(), parts.end(), root,
+                       [](const Part& part, std::uint32_t wanted) { return part.root < wanted; });
+  return static_cast<std::uint32_t>((at != parts.end() && at->root == root ? at : parts.end()) -
+                                    parts.begin());
+}
+
+/// Which of its two sides of the membrane a part calls the first is its own choice. Where N comes
+/// round to itself hundreds of vertices are parts of their own, all along one seam. Two parts
+/// beside one cell match if the cell is on the first side of both; those that share most cells are
+/// matched first.
+void MembraneFinder::Search::group_parts() {
+  struct Sight {  // of a cell from a part
+    std::uint32_t cell;
+    std::uint32_t part;
+    bool second;
+  };
+  std::vector<Sight> sights;
+  for (const Meeting& meeting : meetings) {
+    const std::uint32_t part = part_at(meeting);
+    if (part < parts.size()) sights.push_back({meeting.cell, part, is_second(meeting)});
+  }
+  std::sort(sights.begin(), sights.end(), [](const Sight& a, const Sight& b) {
+    return std::tie(a.cell, a.part, a.second) < std::tie(b.cell, b.part, b.second);
+  });
+  std::map<std::array<std::uint32_t, 2>, int> matches;  // cells seen alike less those that are not
+  for (std::size_t i = 0; i < sights.size(); ++i)
+    for (std::size_t j = i + 1; j < sights.size() && sights[j].cell == sights[i].cell; ++j)
+      if (sights[i].part != sights[j].part)
+        matches[{sights[i].part, sights[j].part}] += sights[i].second == sights[j].second ? 1 : -1;
+  std::vector<std::pair<std::array<std::uint32_t, 2>, int>> order(matches.begin(), matches.end());
+  std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
+    return std::abs(a.second) > std::abs(b.second);
+  });
+  Parities matched;
+  for (std::size_t part = 0; part < parts.size(); ++part) matched.add();
+  for (const auto& [pair, weight] : order)
+    if (weight != 0) matched.unite(pair[0], pair[1], weight < 0);
+  std::map<std::uint32_t, std::size_t> sizes;  // by group: sights
+  for (std::uint32_t part = 0; part < parts.size(); ++part) {
+    const Parities::Place at = matched.find(part);
+    parts[part].group = at.root;
+    parts[part].turned = at.odd;
+  }
+  for (const Sight& sight : sights) ++sizes[parts[sight.part].group];
+  groups.clear();
+  for (const auto& [group, size] : sizes) groups.push_back(group);
+  std::stable_sort(groups.begin(), groups.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return sizes[a] > sizes[b]; });
 }
 
 /// Connected parts of the other side beside N that do not touch the loop: for each the vertices of
@@ -202,7 +270,7 @@ std::vector<std::vector<std::uint32_t>> MembraneFinder::Search::islands() const 
   return all;
 }
 
-/// `turned`: bit i swaps the sides of part i + 1 of the rest.
+/// `turned`: bit i swaps the sides of group i + 1 of the rest's parts.
 std::optional<std::vector<std::uint32_t>> MembraneFinder::Search::cut(unsigned turned) {
   CutNetwork network;
   std::vector<std::uint32_t> vertex_of(2, none);  // by node of the network
@@ -234,17 +302,19 @@ std::optional<std::vector<std::uint32_t>> MembraneFinder::Search::cut(unsigned t
   // both, on each.
   std::map<std::array<std::uint32_t, 2>, std::uint32_t> copies;  // vertex and what is behind it
   for (const Meeting& meeting : meetings) {
-    const Parities::Place at = parities.find(finder.node_of_vertex_[meeting.vertex]);
     const std::uint32_t cell_node = finder.node_of_cell_[meeting.cell];
-    const bool second = at.odd ^ parities.find(cell_node).odd ^ meeting.odd ^ search.from_far_side;
-    const auto part =
-        static_cast<std::size_t>(std::find(parts.begin(), parts.end(), at.root) - parts.begin());
-    std::uint32_t behind = second ? CutNetwork::sink : CutNetwork::source;
+    const std::uint32_t part = part_at(meeting);
+    std::uint32_t behind = CutNetwork::source;
     if (part == parts.size()) {
-      if (number[at.root] == none) number[at.root] = node(none, false);
-      behind = number[at.root];
-    } else if (part > 0 && (turned >> (part - 1) & 1U) != 0) {
-      behind ^= 1U;
+      std::uint32_t& place = number[parities.find(finder.node_of_vertex_[meeting.vertex]).root];
+      if (place == none) place = node(none, false);
+      behind = place;
+    } else {
+      const auto group = std::find(groups.begin(), groups.end(), parts[part].group);
+      const auto rank = static_cast<std::size_t>(group - groups.begin());
+      const bool is_turned = rank > 0 && rank <= most_turns && (turned >> (rank - 1) & 1U) != 0;
+      if (is_second(meeting) ^ parts[part].turned ^ is_turned ^ search.from_far_side)
+        behind = CutNetwork::sink;
     }
     const auto [copy, is_new] = copies.try_emplace({meeting.vertex, behind}, none);
     if (is_new) {
@@ -264,8 +334,8 @@ std::optional<std::vector<std::uint32_t>> MembraneFinder::Search::cut(unsigned t
 }
 
 std::optional<std::vector<std::uint32_t>> MembraneFinder::Search::best_cut() {
-  constexpr std::size_t most_turns = 3;
-  const std::size_t turns = std::min(parts.size() - 1, most_turns);
+  group_parts();
+  const std::size_t turns = std::min(groups.size() - 1, most_turns);
   std::optional<std::vector<std::uint32_t>> best;
   for (unsigned turned = 0; turned < 1U << turns; ++turned) {
     auto found = cut(turned);

@@ -28,6 +28,11 @@ struct MembraneFinder::Search {
     std::uint32_t cell;
     bool odd;
   };
+  struct Part {
+    std::uint32_t root;   // a node
+    std::uint32_t group;  // the parts whose sides are known to match
+    bool turned;          // its first side is the group's second
+  };
 
   Search(MembraneFinder& owner, const MembraneQuery& asked, const MembraneSearch& how)
       : finder(owner), query(asked), search(how) {}
@@ -126,6 +131,9 @@ struct MembraneFinder::Search {
   bool expand(std::uint32_t vertex, std::vector<std::uint32_t>& next);
   std::vector<std::uint32_t> ends(bool on_this_side) const;
   std::vector<std::vector<std::uint32_t>> islands() const;
+  bool is_second(const Meeting& meeting);
+  std::uint32_t part_at(const Meeting& meeting);
+  void group_parts();
   std::optional<std::vector<std::uint32_t>> cut(unsigned turned);
   std::optional<std::vector<std::uint32_t>> best_cut();
 
@@ -136,7 +144,8 @@ struct MembraneFinder::Search {
   std::vector<Node> nodes;
   std::vector<std::uint32_t> near;  // vertices of N, from the loop outwards
   std::vector<Meeting> meetings;
-  std::vector<std::uint32_t> parts;  // roots of the rest's parts that meet N from both sides
+  std::vector<Part> parts;            // of the rest, that meet N from both sides; by root
+  std::vector<std::uint32_t> groups;  // of parts, the largest first
 };
 
 }  // namespace isoloop
