@@ -41,6 +41,15 @@ LoopSite site_of(const Workings& workings, const Loop& loop) {
   return site;
 }
 
+std::uint32_t vertex_of(std::size_t voxel, const Index3& dims, const Lattice& lattice) {
+  const auto at = static_cast<std::int64_t>(voxel);
+  const Index3 p{at % dims[0], at / dims[0] % dims[1], at / dims[0] / dims[1]};
+  const auto along = [&](std::size_t a) {
+    return static_cast<std::uint32_t>(p[a] - lattice.first[a]);
+  };
+  return lattice.vertex(along(0), along(1), along(2));
+}
+
 bool cross_oddly(const LoopSite& a, const LoopSite& b) {
   GeneratorSet both;
   std::set_intersection(a.crossing.begin(), a.crossing.end(), b.other.begin(), b.other.end(),
@@ -198,16 +207,9 @@ bool LoopRemover::removes_one(const std::vector<VoxelChange>& change) {
 }
 
 void LoopRemover::apply(const std::vector<VoxelChange>& change) {
-  const Lattice& lattice = workings_.sides->lattice;
-  const Index3& dims = values_.dims();
   for (const VoxelChange& voxel : change) {
     values_.set(voxel.voxel, voxel.after);
-    const auto at = static_cast<std::int64_t>(voxel.voxel);
-    const Index3 p{at % dims[0], at / dims[0] % dims[1], at / dims[0] / dims[1]};
-    const auto along = [&](std::size_t a) {
-      return static_cast<std::uint32_t>(p[a] - lattice.first[a]);
-    };
-    changed_[lattice.vertex(along(0), along(1), along(2))] = true;
+    changed_[vertex_of(voxel.voxel, values_.dims(), workings_.sides->lattice)] = true;
   }
   --genus_;
 }

@@ -38,6 +38,9 @@ struct LoopSite {
 /// Where a loop of the analysis runs.
 LoopSite site_of(const Workings& workings, const Loop& loop);
 
+/// Where the voxel of a grid of `dims` lies in the lattice, which must hold it.
+std::uint32_t vertex_of(std::size_t voxel, const Index3& dims, const Lattice& lattice);
+
 /// How often two loops of different kinds cross on M, modulo 2.
 bool cross_oddly(const LoopSite& a, const LoopSite& b);
 
@@ -57,9 +60,6 @@ class LoopRemover {
   /// Makes a change that propose() gave, with no other change since.
   void apply(const std::vector<VoxelChange>& change);
 
-  /// By lattice vertex: changed by apply().
-  const std::vector<bool>& changed() const { return changed_; }
-
  private:
   MembraneFinder& finder(Side side);
   std::optional<std::vector<VoxelChange>> passing(Side side,
@@ -77,8 +77,8 @@ class LoopRemover {
   VoxelValues& values_;
   std::int64_t genus_;
   Betti betti_;
-  std::vector<bool> changed_;
-  std::vector<bool> fixed_;  // by lattice vertex: no voxel of the grid
+  std::vector<bool> changed_;  // by lattice vertex: by apply()
+  std::vector<bool> fixed_;    // by lattice vertex: no voxel of the grid
   std::optional<MembraneFinder> inside_;
   std::optional<MembraneFinder> outside_;
 };

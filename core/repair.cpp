@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <set>
 #include <utility>
 
@@ -10,139 +9,17 @@
 #include "core/class_passage.h"
 #include "core/errors.h"
 #include "core/level.h"
+#include "core/repair_round.h"
 #include "core/voxel_values.h"
-#include "core/z2_basis.h"
 
 namespace isoloop {
 namespace {
-
-constexpr std::size_t most_substitutes = 4;  // loops across one that will not go itself
-
-/// A loop that is to be removed.
-struct Target {
-  LoopName name;
-  int round = 1;  // of the analysis that the name refers to
-  LoopSite site;
-  Vec3 center_index{};
-};
 
 /// Loops that are to be left alone in this analysis.
 using Unwanted = std::set<std::pair<LoopKind, int>>;
 
 std::pair<LoopKind, int> key_of(const LoopName& name) { return {name.kind, name.id}; }
 std::pair<LoopKind, int> key_of(const Target& target) { return key_of(target.name); }
-
-/// What one round removed: the loops' classes, as class_of() gives them.
-struct Outcome {
-  std::vector<GeneratorSet> classes;
-  std::vector<Removal> removals;
-  std::vector<VoxelChange> changes;  // in the order in which they were made
-  std::vector<Target> failed;
-  std::vector<bool> changed;  // by lattice vertex
-};
-
-GeneratorSet joint_class(const Workings& workings, const LoopSite& site) {
-  GeneratorSet set = site.other;
-  // The class of a handle loop lies in H1(O), whose generators come after those of H1(I).
-  if (site.kind == LoopKind::handle)
-    for (std::uint32_t& generator : set) generator += workings.classes.inside_rank;
-  return set;
-}
-
-/// The removals of one round, and which loops are left by them.
-class Round {
- public:
-  Round(const Workings& workings, const IsoLevel& level, VoxelValues& values, int number)
-      : workings_(workings), remover_(workings, level, values) {
-    for (const Loop& loop : workings.analysis.loops)
-      all_.push_back({{loop.kind, loop.id}, number, site_of(workings, loop), loop.center_index});
-  }
-
-  /// Whether the loop crosses all that were removed evenly and does not bound by now.
-  bool is_left(const LoopSite& site) const {
-    Z2Basis same_kind;
-    for (const LoopSite& gone : removed_) {
-      if (gone.kind == site.kind) {
-        same_kind.add(gone.other);
-      } else if (cross_oddly(gone, site)) {
-        return false;
-      }
-    }
-    return same_kind.add(site.other);
-  }
-
-  /// `cheaper`: of the loop and those across it, the one that takes fewest voxels; else the loop
-  /// itself if it will go.
-  bool remove(const Target& target, bool cheaper) {
-    struct Choice {
-      const Target* by;
-      std::vector<VoxelChange> change;
-    };
-    std::optional<Choice> best;
-    const auto consider = [&](const Target& by) {
-      auto change = remover_.propose(by.site);
-      if (change && (!best || change->size() < best->change.size()))
-        best = Choice{&by, std::move(*change)};
-    };
-    consider(target);
-    if (cheaper)
-      for (const Target* across : substitutes(target, true)) consider(*across);
-    if (!best)
-      for (const Target* across : substitutes(target, false)) {
-        consider(*across);
-        if (best) break;
-      }
-    if (!best) return false;
-    remover_.apply(best->change);
-    outcome_.changes.insert(outcome_.changes.end(), best->change.begin(), best->change.end());
-    removed_.push_back(best->by->site);
-    outcome_.classes.push_back(joint_class(workings_, best->by->site));
-    const bool cut = best->by->site.kind == LoopKind::handle;
-    outcome_.removals.push_back({target.name, target.round, target.site.length, target.center_index,
-                                 cut ? RepairAction::cut : RepairAction::fill, best->by->name,
-                                 static_cast<std::int64_t>(best->change.size())});
-    return true;
-  }
-
-  void fail(const Target& target) { outcome_.failed.push_back(target); }
-
-  Outcome finish() {
-    outcome_.changed = remover_.changed();
-    return std::move(outcome_);
-  }
-
-  std::size_t removed() const { return removed_.size(); }
-  const std::vector<Target>& all() const { return all_; }
-
- private:
-  /// Loops of the other kind that cross the target oddly, those first that cross few others of its
-  /// kind, then the short ones. `sole`: only those that cross no other.
-  std::vector<const Target*> substitutes(const Target& target, bool sole) const {
-    std::vector<std::pair<std::size_t, const Target*>> found;
-    for (const Target& loop : all_) {
-      if (loop.site.kind == target.site.kind || !cross_oddly(loop.site, target.site) ||
-          !is_left(loop.site))
-        continue;
-      std::size_t crossed = 0;
-      for (const Target& other : all_)
-        if (other.site.kind == target.site.kind && cross_oddly(loop.site, other.site)) ++crossed;
-      if (!sole || crossed == 1) found.emplace_back(crossed, &loop);
-    }
-    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
-      return a.first != b.first ? a.first < b.first : a.second->site.length < b.second->site.length;
-    });
-    std::vector<const Target*> loops;
-    for (const auto& [crossed, loop] : found)
-      if (loops.size() < most_substitutes) loops.push_back(loop);
-    return loops;
-  }
-
-  const Workings& workings_;
-  LoopRemover remover_;
-  std::vector<Target> all_;
-  std::vector<LoopSite> removed_;
-  Outcome outcome_;
-};
 
 void sort_by_length(std::vector<Target>& targets) {
   std::stable_sort(targets.begin(), targets.end(),
@@ -210,7 +87,7 @@ struct Plan {
   std::vector<Target> spare;  // to be removed until the genus is least_genus
 };
 
-Plan plan_of(const Round& round, const Workings& workings, std::vector<Target> named,
+Plan plan_of(const RepairRound& round, const Workings& workings, std::vector<Target> named,
              const RepairRequest& request) {
   Plan plan;
   plan.targets = std::move(named);
@@ -226,20 +103,23 @@ Plan plan_of(const Round& round, const Workings& workings, std::vector<Target> n
   return plan;
 }
 
-/// Carries out as much of the plan as one analysis allows; at most `limit` removals.
-void carry_out(const Plan& plan, Round& round, const Workings& workings,
-               const RepairRequest& request, std::size_t limit, const Unwanted& unwanted) {
+/// Carries out as much of the plan as one analysis allows.
+void carry_out(const Plan& plan, RepairRound& round, const Workings& workings,
+               const RepairRequest& request, const Unwanted& unwanted) {
   const auto go = [&](const Target& target) {
     if (!round.is_left(target.site) || unwanted.contains(key_of(target))) return;
     if (!round.remove(target, target.site.length < request.either)) round.fail(target);
   };
-  for (const Target& target : plan.targets)
-    if (round.removed() < limit) go(target);
+  for (const Target& target : plan.targets) go(target);
   const std::int64_t genus = workings.analysis.surface.genus();
   for (const Target& target : plan.spare)
-    if (round.removed() < limit &&
-        genus - static_cast<std::int64_t>(round.removed()) > plan.least_genus)
-      go(target);
+    if (genus - static_cast<std::int64_t>(round.removed()) > plan.least_genus) go(target);
+}
+
+/// Whether the loops of two analyses are likely to be one.
+bool is_at_the_same_place(const Target& a, const Target& b) {
+  return a.name.kind == b.name.kind && a.site.length == b.site.length &&
+         a.center_index == b.center_index;
 }
 
 /// One analysis after another, each with some of what is asked for removed.
@@ -257,7 +137,7 @@ class Repairer {
   Repair run() {
     bool is_first = true;
     while (true) {
-      Round round(now_, level_, values_, repair_.rounds + 1);
+      RepairRound round(now_, level_, values_, repair_.rounds + 1);
       if (is_first) named_ = named_targets(round.all(), request_);
       const Plan plan = plan_of(round, now_, named_, request_);
       if (is_first) repair_.before = now_.analysis;
@@ -271,26 +151,60 @@ class Repairer {
   }
 
  private:
-  void step(const Plan& plan, Round& first_try) {
-    Unwanted unwanted;
-    carry_out(plan, first_try, now_, request_, no_limit, unwanted);
-    Outcome outcome = first_try.finish();
-    while (true) {
-      if (outcome.removals.empty()) refuse(plan, outcome);
+  /// Removes what one analysis allows. A loop whose removal alone spoils others is put off, in this
+  /// analysis and those after it, until there is nothing else to do.
+  void step(const Plan& plan, RepairRound& first_try) {
+    Unwanted spoilers;
+    Unwanted put_off;
+    for (const Target& target : put_off_)
+      for (const std::vector<Target>* wanted : {&plan.targets, &plan.spare})
+        for (const Target& loop : *wanted)
+          if (is_at_the_same_place(target, loop)) put_off.insert(key_of(loop));
+    const auto outcome_of = [&](RepairRound& round) {
+      Unwanted unwanted = spoilers;
+      unwanted.insert(put_off.begin(), put_off.end());
+      carry_out(plan, round, now_, request_, unwanted);
+      return round.finish();
+    };
+    Outcome outcome = outcome_of(first_try);
+    while (!accept_most(outcome, spoilers)) {
+      RepairRound round(now_, level_, values_, repair_.rounds + 1);
+      outcome = outcome_of(round);
+      if (!outcome.done.empty()) continue;
+      if (put_off.empty()) refuse(plan, outcome);
+      put_off.clear();
+    }
+  }
+
+  /// Accepts all of the outcome, or the first half of it, and so on; undoes the rest. One removal
+  /// may spoil another, or a loop that is to stay.
+  bool accept_most(Outcome& outcome, Unwanted& spoilers) {
+    while (!outcome.done.empty()) {
       Workings next = work_out_loops(values_.view(), level_, options_);
-      const ClassPassage passage(now_, next, outcome.changed, outcome.classes);
+      std::vector<GeneratorSet> classes;
+      for (const Done& done : outcome.done) classes.push_back(done.joint_class);
+      const ClassPassage passage(now_, next, changed_by(outcome), classes);
       if (is_sound(next, passage)) {
         named_ = carried(named_, now_, next, passage);
         accept(outcome, std::move(next));
-        return;
+        return true;
       }
-      // One removal of a round may spoil another: do them one at a time.
-      undo(outcome);
-      if (outcome.removals.size() == 1) unwanted.insert(key_of(outcome.removals[0].loop));
-      Round round(now_, level_, values_, repair_.rounds + 1);
-      carry_out(plan, round, now_, request_, 1, unwanted);
-      outcome = round.finish();
+      if (outcome.done.size() == 1) {
+        spoilers.insert(key_of(outcome.done[0].target));
+        put_off_.push_back(outcome.done[0].target);
+      }
+      keep(outcome, outcome.done.size() / 2);
     }
+    return false;
+  }
+
+  std::vector<bool> changed_by(const Outcome& outcome) const {
+    const Lattice& lattice = now_.sides->lattice;
+    std::vector<bool> changed(lattice.vertex_count());
+    for (const Done& done : outcome.done)
+      for (const VoxelChange& change : done.changes)
+        changed[vertex_of(change.voxel, values_.dims(), lattice)] = true;
+    return changed;
   }
 
   bool is_sound(const Workings& next, const ClassPassage& passage) const {
@@ -299,17 +213,21 @@ class Repairer {
     return before.b0 == after.b0 && before.b2 == after.b2 && !passage.check();
   }
 
-  void accept(Outcome& outcome, Workings next) {
-    std::move(outcome.removals.begin(), outcome.removals.end(),
-              std::back_inserter(repair_.removals));
-    for (const VoxelChange& change : outcome.changes) touched_.push_back(change.voxel);
+  void accept(const Outcome& outcome, Workings next) {
+    for (const Done& done : outcome.done) {
+      repair_.removals.push_back(done.removal);
+      for (const VoxelChange& change : done.changes) touched_.push_back(change.voxel);
+    }
     ++repair_.rounds;
     now_ = std::move(next);
   }
 
-  void undo(const Outcome& outcome) {
-    for (auto change = outcome.changes.rbegin(); change != outcome.changes.rend(); ++change)
-      values_.set(change->voxel, change->before);
+  void keep(Outcome& outcome, std::size_t count) {
+    for (; outcome.done.size() > count; outcome.done.pop_back()) {
+      const std::vector<VoxelChange>& changes = outcome.done.back().changes;
+      for (auto change = changes.rbegin(); change != changes.rend(); ++change)
+        values_.set(change->voxel, change->before);
+    }
   }
 
   [[noreturn]] void refuse(const Plan& plan, const Outcome& outcome) const {
@@ -345,14 +263,14 @@ class Repairer {
     }
   }
 
-  static constexpr std::size_t no_limit = static_cast<std::size_t>(-1);
   IsoLevel level_;
   const RepairRequest& request_;
   const AnalysisOptions& options_;
   VoxelValues original_;
   VoxelValues values_;
   Workings now_;
-  std::vector<Target> named_;  // that are left
+  std::vector<Target> named_;    // that are left
+  std::vector<Target> put_off_;  // their removal spoiled others
   std::vector<std::size_t> touched_;
   Repair repair_;
 };

@@ -27,8 +27,13 @@ struct Passage {
     LoopRemover remover(before, zero_level, values);
     const auto change = remover.propose(site_of(before, before.analysis.loops[loop]));
     EXPECT_TRUE(change.has_value());
-    if (change) remover.apply(*change);
-    changed = remover.changed();
+    const Lattice& lattice = before.sides->lattice;
+    changed.resize(lattice.vertex_count());
+    if (change) {
+      remover.apply(*change);
+      for (const VoxelChange& voxel : *change)
+        changed[vertex_of(voxel.voxel, values.dims(), lattice)] = true;
+    }
     after = work_out_loops(values.view(), zero_level);
   }
 
