@@ -283,12 +283,12 @@ class PlainRings {
     return any;
   }
 
-  template <std::uint32_t axis>
+  template <std::uint32_t Axis>
   bool close_word(std::uint32_t z, std::size_t w) {
-    const Word found = found_in_word<axis>(z, w);
+    const Word found = found_in_word<Axis>(z, w);
     if (found == 0) return false;
-    constexpr std::uint32_t b = (axis + 1) % 3;
-    constexpr std::uint32_t c = (axis + 2) % 3;
+    constexpr std::uint32_t b = (Axis + 1) % 3;
+    constexpr std::uint32_t c = (Axis + 2) % 3;
     known_[b].layer(z)[w] |= found;
     known_[c].layer(z)[w] |= found;
     insert_before<c, b>(z, w, found);
@@ -296,31 +296,31 @@ class PlainRings {
     return true;
   }
 
-  /// The edges along `axis` at the vertices of a word from whose plain rings a piece follows. With
+  /// The edges along `Axis` at the vertices of a word from whose plain rings a piece follows. With
   /// b and c across: normal c at the vertex and before it along b, normal b there and along c.
-  template <std::uint32_t axis>
+  template <std::uint32_t Axis>
   Word found_in_word(std::uint32_t z, std::size_t w) const {
-    constexpr std::uint32_t b = (axis + 1) % 3;
-    constexpr std::uint32_t c = (axis + 2) % 3;
+    constexpr std::uint32_t b = (Axis + 1) % 3;
+    constexpr std::uint32_t c = (Axis + 2) % 3;
     return all_but_one(known_[b].layer(z)[w], known_[c].layer(z)[w], read_before<c, b>(z, w),
                        read_before<b, c>(z, w)) &
-           plain_[axis].layer(z)[w];
+           plain_[Axis].layer(z)[w];
   }
 
-  template <std::uint32_t normal, std::uint32_t along>
+  template <std::uint32_t Normal, std::uint32_t Along>
   Word read_before(std::uint32_t z, std::size_t w) const {
-    if constexpr (along == 2)
-      return known_[normal].layer_before(z)[w];
+    if constexpr (Along == 2)
+      return known_[Normal].layer_before(z)[w];
     else
-      return back_[along].read(known_[normal].layer(z) + w);
+      return back_[Along].read(known_[Normal].layer(z) + w);
   }
 
-  template <std::uint32_t normal, std::uint32_t along>
+  template <std::uint32_t Normal, std::uint32_t Along>
   void insert_before(std::uint32_t z, std::size_t w, Word found) {
-    if constexpr (along == 2)
-      known_[normal].layer_before(z)[w] |= found;
+    if constexpr (Along == 2)
+      known_[Normal].layer_before(z)[w] |= found;
     else
-      back_[along].insert(known_[normal].layer(z) + w, found);
+      back_[Along].insert(known_[Normal].layer(z) + w, found);
   }
 
   const GridComplex& complex_;
