@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/byte_samples.h"
 #include "tests/command_line_fixture.h"
+#include "tests/nifti_samples.h"
 
 namespace isoloop {
 namespace {
@@ -104,6 +106,45 @@ TEST_F(RepairCommand, KeepsTheTypeAndGeometryOfAnNrrdFile) {
   EXPECT_EQ(after["conventions"]["coordinates"], before["conventions"]["coordinates"]);
 }
 
+/// A NIfTI file of the ring, placed by its sform.
+std::string nifti_ring(const std::string& magic) {
+  test::NiftiSample sample;
+  sample.dim = {3, 5, 5, 3, 1, 1, 1, 1};
+  sample.type = 2;
+  sample.bits = 8;
+  sample.sform = 1;
+  sample.rows = {0.5, 0, 0, -10, 0, 0.5, 0, 20, 0, 0, 2, 5};
+  sample.magic = magic;
+  if (magic.starts_with("ni1")) sample.from = 0;
+  return sample.header();
+}
+
+TEST_F(RepairCommand, KeepsTheHeaderOfANiftiFile) {
+  const std::string ring = nifti_ring({"n+1\0", 4}) + ring_bytes();
+  scratch_.write("ring.nii", ring);
+  scratch_.write("ring.nii.gz", test::gzip_bytes(ring));
+  const Words flags{"--iso", "1", "--fill-tunnels", "100"};
+  for (const std::string name : {"ring.nii", "ring.nii.gz"}) {
+    Words command{"repair", name, "-o", "out_" + name, "--json", "report.json", "--quiet"};
+    command.insert(command.end(), flags.begin(), flags.end());
+    const ProcessResult result = run(command);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(counts("out_" + name)["b1"], 0) << name;
+  }
+  const Json report = Json::parse(scratch_.read("report.json"));
+  EXPECT_EQ(report["changed_voxels"], bytes_changed(ring, scratch_.read("out_ring.nii")));
+}
+
+TEST_F(RepairCommand, RefusesFormatsWhoseVoxelsItCannotReplace) {
+  scratch_.write("ring.hdr", nifti_ring({"ni1\0", 4}));
+  scratch_.write("ring.img", ring_bytes());
+  expect_failure({"repair", "ring.hdr", "--iso", "1", "--genus", "0", "-o", "out.hdr"}, 2,
+                 "convert it to .nrrd first");
+  scratch_.write("ring.nii", nifti_ring({"n+1\0", 4}) + ring_bytes());
+  expect_failure({"repair", "ring.nii", "--iso", "1", "--genus", "0", "-o", "out.nii.gz"}, 2,
+                 "same format");
+}
+
 TEST_F(RepairCommand, RefusesWhatMakesNoSense) {
   const Words repair{"repair", ring_, "--iso", "1"};
   const auto with = [&](Words more) {
@@ -114,7 +155,7 @@ TEST_F(RepairCommand, RefusesWhatMakesNoSense) {
   expect_failure(with({"--genus", "0"}), 2, "--output");
   expect_failure(with({"--genus", "0", "-o", ring_}), 2, "would overwrite the input");
   expect_failure(with({"--genus", "0", "-o", "out.vdb"}), 2, "same format");
-  expect_failure(with({"--genus", "0", "-o", "out.nii"}), 2, "written as .raw, .nrrd or .vdb");
+  expect_failure(with({"--genus", "0", "-o", "out.nii"}), 2, "same format");
   expect_failure(with({"--ids", "1", "-o", out_}), 2, "h1 or t1");
   expect_failure(with({"--ids", "h2", "-o", out_}), 2, "there is no handle 2");
   expect_failure(with({"--ids", "x", "--side", "handle", "-o", out_}), 2, "'x' is no id");

@@ -54,7 +54,10 @@ TEST(StoredVoxels, IntegersOf64BitsMustFit32) {
   const auto read = [&](std::uint64_t value) {
     write_bytes(path, test::number_bytes(value, Endian::big));
     ByteStream stream(path, Packing::plain);
-    return read_voxels(stream, {.type = StoredType::uint64, .endian = Endian::big}, 0, {}, "a");
+    Volume volume;
+    read_voxels(stream, {.type = StoredType::uint64, .endian = Endian::big}, 0, {}, "a", volume);
+    EXPECT_FALSE(volume.stored_at);
+    return volume.values;
   };
   EXPECT_EQ(std::get<std::vector<std::uint32_t>>(read(4294967295U))[0], 4294967295U);
   EXPECT_THROW(read(std::uint64_t{1} << 32), InvalidInput);

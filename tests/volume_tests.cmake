@@ -13,6 +13,7 @@ isoloop_add_tests(isoloop_volume_tests
     volume_nifti_test.cpp
     volume_npy_test.cpp
     volume_nrrd_test.cpp
+    volume_patch_test.cpp
     volume_placement_test.cpp
     volume_raw_test.cpp
     volume_read_test.cpp

@@ -1,12 +1,14 @@
 #include "tools/repair_command.h"
 
 #include <chrono>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
 #include <variant>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <tbb/global_control.h>
@@ -17,7 +19,10 @@
 #include "tools/read_run.h"
 #include "tools/repair_flags.h"
 #include "tools/report_repair.h"
+#include "volume/atomic_file.h"
 #include "volume/file_kind.h"
+#include "volume/header_text.h"
+#include "volume/patch.h"
 #include "volume/write.h"
 
 namespace isoloop {
@@ -31,23 +36,36 @@ struct CommandFlags {
   std::string json;  // file, "-" or empty
   bool dry_run = false;
   int threads = 0;  // 0: one for each core
+  ProgressFlags progress;
 };
+
+bool is_packed(const std::filesystem::path& path) {
+  return lower_case(path.extension().string()) == ".gz";
+}
+
+/// Whether the file can be copied with the changed voxels in their places.
+bool can_be_patched(const CommandFlags& flags, const Volume& volume) {
+  return volume.stored_at && std::filesystem::equivalent(volume.stored_at->file, flags.volume.file);
+}
 
 /// The output has the input's format, so that it keeps its type and geometry.
 void check_format(const CommandFlags& flags, const Volume& volume) {
-  if (!is_written(flags.output)) {
-    throw InvalidArgument("--output " + flags.output + ": volumes are written as " +
-                          written_extensions());
-  }
   const auto kind = file_kind(flags.volume.file);
-  if (file_kind(flags.output) != kind) {
+  if (file_kind(flags.output) != kind || is_packed(flags.output) != is_packed(flags.volume.file)) {
     throw InvalidArgument("--output " + flags.output + " must be a file of the same format as " +
                           flags.volume.file);
   }
+  if (can_be_patched(flags, volume)) return;
+  if (!is_written(flags.output)) {
+    throw InvalidArgument(
+        flags.volume.file +
+        ": volumes are repaired in this format only if the file holds the voxels one after "
+        "another, neither scaled nor compressed otherwise than by gzip; convert it to .nrrd first");
+  }
   if (kind == FileKind::raw && (flags.volume.skip > 0 || flags.volume.endian != "little")) {
     throw InvalidArgument(
-        "raw volumes are written little-endian and without a header: --skip and --endian big go "
-        "with --dry-run only");
+        "masks are written without a header: --label goes with --skip and --endian big for "
+        "--dry-run only");
   }
   if (kind == FileKind::vdb && voxel_type(volume.values) != VoxelType::float32) {
     throw InvalidArgument("OpenVDB grids are written as float, which would round the voxels of " +
@@ -62,6 +80,18 @@ void apply(const Repair& repair, Volume& volume) {
           values[change.voxel] = static_cast<T>(change.after);
       },
       volume.values);
+}
+
+void write_repaired(const CommandFlags& flags, const Repair& repair, const Volume& volume) {
+  if (!can_be_patched(flags, volume)) {
+    write_volume(volume, flags.output);
+    return;
+  }
+  std::vector<std::size_t> voxels;
+  for (const VoxelChange& change : repair.changes) voxels.push_back(change.voxel);
+  AtomicFile file(flags.output);
+  write_patched(volume, voxels, file.stream());
+  file.commit();
 }
 
 void repair(const CommandFlags& flags) {
@@ -80,13 +110,14 @@ void repair(const CommandFlags& flags) {
     threads.emplace(tbb::global_control::max_allowed_parallelism,
                     static_cast<std::size_t>(flags.threads));
   }
-  ProgressLine progress(std::cerr, {.enabled = stderr_is_terminal()});
+  ProgressLine progress(std::cerr, progress_options(flags.progress));
   RunResult& run = result.run;
   run = read_run(flags.volume, flags.level);
   if (!flags.dry_run) check_format(flags, run.volume);
-  result.repair =
-      repair_loops(view(run.volume), run.level, request,
-                   {.boundary = boundary_of(flags.level), .progress = progress.callback()});
+  result.repair = repair_loops(view(run.volume), run.level, request,
+                               {.boundary = boundary_of(flags.level),
+                                .progress = progress.callback(),
+                                .max_bytes = run.cost.max_bytes});
   check_counts(result.repair.after);
   check_loops(result.repair.after);
   run.cost.peak_bytes = peak_resident_bytes();
@@ -94,7 +125,7 @@ void repair(const CommandFlags& flags) {
   if (!flags.dry_run) {
     apply(result.repair, run.volume);
     result.output = flags.output;
-    write_volume(run.volume, flags.output);
+    write_repaired(flags, result.repair, run.volume);
   }
   run.cost.total_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -122,6 +153,7 @@ void add_repair_command(CLI::App& app) {
                   "threads to use (default: one for each core); the result does not depend on it")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
+  add_progress_flags(command, flags->progress);
   command.footer(
       "Examples:\n"
       "  isoloop repair scan.raw --iso 70 --fill-tunnels 30 -o out_256x256x128_uint8.raw\n"

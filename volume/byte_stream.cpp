@@ -20,6 +20,8 @@ constexpr std::size_t chunk_bytes = std::size_t{1} << 16;
 struct ByteStream::State {
   std::filesystem::path path;
   Packing packing = Packing::plain;
+  std::uint64_t first = 0;     // byte of the file
+  std::uint64_t position = 0;  // bytes given out
   std::ifstream file;
   std::uint64_t stored_left = 0;  // bytes of the file not yet read from it
   z_stream inflater{};
@@ -81,7 +83,10 @@ struct ByteStream::State {
   }
 
   std::size_t read_some(std::byte* to, std::size_t most) {
-    return packing == Packing::plain ? read_stored(to, most) : inflate_some(to, most);
+    const std::size_t got =
+        packing == Packing::plain ? read_stored(to, most) : inflate_some(to, most);
+    position += got;
+    return got;
   }
 };
 
@@ -90,6 +95,7 @@ ByteStream::ByteStream(const std::filesystem::path& path, Packing packing, std::
   check_is_file(path);
   state_->path = path;
   state_->packing = packing;
+  state_->first = first;
   const std::uint64_t size = stored_bytes(path);
   if (first > size) {
     state_->fail("has " + std::to_string(size) + " bytes, and its data should begin after " +
@@ -163,6 +169,14 @@ void ByteStream::expect_end(const std::string& what) {
     state_->fail("other bytes follow the end of its compressed ones; fetch the file again");
   }
 }
+
+std::uint64_t ByteStream::position() const { return state_->position; }
+
+const std::filesystem::path& ByteStream::path() const { return state_->path; }
+
+Packing ByteStream::packing() const { return state_->packing; }
+
+std::uint64_t ByteStream::first() const { return state_->first; }
 
 std::uint64_t ByteStream::most_left() const {
   if (state_->packing == Packing::plain) return state_->stored_left;

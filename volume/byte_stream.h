@@ -38,6 +38,14 @@ class ByteStream {
   /// Throws InvalidInput if anything follows, or if the end of compressed bytes is missing.
   void expect_end(const std::string& what);
 
+  /// Bytes read and dropped so far.
+  std::uint64_t position() const;
+
+  /// What the stream was made from.
+  const std::filesystem::path& path() const;
+  Packing packing() const;
+  std::uint64_t first() const;
+
   /// No more bytes than this are to come: exact where they are plain, else what the stored bytes
   /// can expand to at most (deflate: a factor of 1032).
   std::uint64_t most_left() const;

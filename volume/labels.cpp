@@ -57,6 +57,7 @@ Volume mask_of_labels(Volume volume, const std::vector<std::int64_t>& labels,
                                 list_of(labels_in(values)));
         }
         volume.values = std::move(mask);
+        volume.stored_at.reset();
       },
       VoxelArray(std::move(volume.values)));
   if (!missing.empty()) volume.warnings.push_back("no voxel has the label " + list_of(missing));

@@ -157,8 +157,9 @@ std::int64_t header_size(const Fields& fields, const std::string& what) {
   return size;
 }
 
-VoxelArray read_data(const Fields& fields, const std::filesystem::path& data, std::uint64_t first,
-                     const VoxelLayout& layout, std::uint64_t frame, const VoxelLimits& limits) {
+void read_data(const Fields& fields, const std::filesystem::path& data, std::uint64_t first,
+               const VoxelLayout& layout, std::uint64_t frame, const VoxelLimits& limits,
+               Volume& volume) {
   const std::string what = data.string();
   const bool packed = flag(fields, {"compresseddata"}, false, what);
   const std::int64_t skipped = header_size(fields, what);
@@ -181,7 +182,7 @@ VoxelArray read_data(const Fields& fields, const std::filesystem::path& data, st
                        " are there; fetch the file again");
     }
   }
-  return read_voxels(stream, layout, frame, limits, what);
+  read_voxels(stream, layout, frame, limits, what, volume);
 }
 
 }  // namespace
@@ -208,9 +209,8 @@ Volume read_meta_image(const std::filesystem::path& path, const FormatOptions& o
   add_scale_note(layout, volume);
   const std::uint64_t frame = choose_frame(layout, options.frame, what);
   const bool local = lower_case(file) == "local";
-  volume.values =
-      read_data(fields, local ? path : beside(path, file),
-                local ? stored_bytes(path) - header.most_left() : 0, layout, frame, limits);
+  read_data(fields, local ? path : beside(path, file),
+            local ? stored_bytes(path) - header.most_left() : 0, layout, frame, limits, volume);
   return volume;
 }
 

@@ -359,10 +359,10 @@ Volume read_nifti(const std::filesystem::path& path, const FormatOptions& option
     const std::filesystem::path image = partner(header_path, ".img");
     ByteStream voxels(image, packing_of(image));
     voxels.skip(header.data_from, "what lies before its voxels");
-    volume.values = read_voxels(voxels, header.layout, frame, limits, image.string());
+    read_voxels(voxels, header.layout, frame, limits, image.string(), volume);
   } else {
     stream.skip(header.data_from - read, "what lies before its voxels");
-    volume.values = read_voxels(stream, header.layout, frame, limits, what);
+    read_voxels(stream, header.layout, frame, limits, what, volume);
   }
   return volume;
 }

@@ -133,8 +133,9 @@ Volume read_npy(const std::filesystem::path& path, const FormatOptions& options,
   volume.dims = layout.dims;
   place(volume, {}, options.spacing, what);
   const std::uint64_t frame = choose_frame(layout, options.frame, what);
-  volume.values = read_voxels(stream, layout, frame, limits, what);
+  read_voxels(stream, layout, frame, limits, what, volume);
   if (fortran) {
+    volume.stored_at.reset();
     volume.values = std::visit(
         [&](const auto& values) -> VoxelArray { return transposed(values, volume.dims); },
         volume.values);

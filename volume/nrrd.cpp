@@ -278,8 +278,9 @@ bool is_gzip(const Fields& fields, const std::string& what) {
 }
 
 /// Where the voxels are: a stream at the first of them.
-VoxelArray read_data(const Fields& fields, const std::filesystem::path& data, std::uint64_t first,
-                     const VoxelLayout& layout, std::uint64_t frame, const VoxelLimits& limits) {
+void read_data(const Fields& fields, const std::filesystem::path& data, std::uint64_t first,
+               const VoxelLayout& layout, std::uint64_t frame, const VoxelLimits& limits,
+               Volume& volume) {
   const std::string what = data.string();
   const bool packed = is_gzip(fields, what);
   const std::int64_t lines = whole_field(fields, "lineskip", what);
@@ -296,7 +297,7 @@ VoxelArray read_data(const Fields& fields, const std::filesystem::path& data, st
   const std::uint64_t from = stored_bytes(data) - plain.most_left();
   ByteStream stream(data, packed ? Packing::gzip : Packing::plain, from);
   stream.skip(static_cast<std::uint64_t>(bytes), "what lies before its voxels");
-  return read_voxels(stream, layout, frame, limits, what);
+  read_voxels(stream, layout, frame, limits, what, volume);
 }
 
 }  // namespace
@@ -321,7 +322,7 @@ Volume read_nrrd(const std::filesystem::path& path, const FormatOptions& options
 
   const std::filesystem::path data = detached ? beside(path, fields.at("datafile")) : path;
   const std::uint64_t first = detached ? 0 : size - header.most_left();
-  volume.values = read_data(fields, data, first, layout, frame, limits);
+  read_data(fields, data, first, layout, frame, limits, volume);
   return volume;
 }
 

@@ -82,7 +82,7 @@ Volume read_raw(const std::filesystem::path& path, const RawOptions& options,
   ByteStream stream(path, Packing::plain, options.skip);
   const VoxelLayout voxels{
       .dims = layout.dims, .type = static_cast<StoredType>(layout.type), .endian = options.endian};
-  volume.values = read_voxels(stream, voxels, 0, limits, path.string());
+  read_voxels(stream, voxels, 0, limits, path.string(), volume);
   volume.dims = layout.dims;
   volume.spacing = options.spacing;
   return volume;

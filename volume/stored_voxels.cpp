@@ -166,8 +166,8 @@ VoxelArray read_stored(const ByteSource& next, const VoxelLayout& layout, const 
   throw InvalidInput(what + ": unknown voxel type");
 }
 
-VoxelArray read_voxels(ByteStream& stream, const VoxelLayout& layout, std::uint64_t frame,
-                       const VoxelLimits& limits, const std::string& what) {
+void read_voxels(ByteStream& stream, const VoxelLayout& layout, std::uint64_t frame,
+                 const VoxelLimits& limits, const std::string& what, Volume& volume) {
   check_layout(layout, limits, what);
   const std::uint64_t bytes = frame_voxels(layout) * bytes_per_voxel(layout.type);
   const std::string voxels = "its " + dims_text(layout.dims) +
@@ -175,12 +175,21 @@ VoxelArray read_voxels(ByteStream& stream, const VoxelLayout& layout, std::uint6
                              " voxels";
   stream.check_room(bytes * layout.frames, voxels);
   stream.skip(bytes * frame, voxels);
-  VoxelArray values =
+  const std::uint64_t offset = stream.position();
+  volume.values =
       read_stored([&](std::span<std::byte> to) { stream.read(to, voxels); }, layout, what);
   stream.skip(bytes * (layout.frames - frame - 1), voxels);
   stream.expect_end(voxels);
-  if (is_identity(layout)) return values;
-  return rescaled(std::move(values), layout.slope, layout.intercept, what);
+  if (!is_identity(layout))
+    volume.values = rescaled(std::move(volume.values), layout.slope, layout.intercept, what);
+  else if (bytes == frame_voxels(layout) * bytes_per_voxel(voxel_type(volume.values)) &&
+           stream.packing() != Packing::zlib)
+    volume.stored_at = StoredAt{.file = stream.path(),
+                                .first = stream.first(),
+                                .packed = stream.packing() == Packing::gzip,
+                                .offset = offset,
+                                .size = stream.position(),
+                                .swapped = layout.endian != native_endian};
 }
 
 void add_scale_note(const VoxelLayout& layout, Volume& volume) {

@@ -58,11 +58,11 @@ void check_layout(const VoxelLayout& layout, const VoxelLimits& limits, const st
 std::uint64_t choose_frame(const VoxelLayout& layout, const std::optional<std::int64_t>& frame,
                            const std::string& what);
 
-/// Reads all frames and keeps the values of one; the stream must end after them. Checks
-/// check_layout() and the bytes that are there before it asks for memory. Throws InvalidInput
-/// (bytes are missing, damaged or too many, integers of 64 bits that do not fit).
-VoxelArray read_voxels(ByteStream& stream, const VoxelLayout& layout, std::uint64_t frame,
-                       const VoxelLimits& limits, const std::string& what);
+/// Reads all frames and keeps the values of one, and where they are; the stream must end after
+/// them. Checks check_layout() and the bytes that are there before it asks for memory. Throws
+/// InvalidInput (bytes are missing, damaged or too many, integers of 64 bits that do not fit).
+void read_voxels(ByteStream& stream, const VoxelLayout& layout, std::uint64_t frame,
+                 const VoxelLimits& limits, const std::string& what, Volume& volume);
 
 /// Fills a span with the next stored bytes, or throws.
 using ByteSource = std::function<void(std::span<std::byte>)>;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,6 +25,16 @@ enum class VoxelType { uint8, int8, uint16, int16, uint32, int32, float32, float
 /// What the world coordinates mean. `index`: the file has no frame, world = index * spacing.
 enum class Frame { index, world, lps, ras };
 
+/// Where a file holds voxels one after another, each as it is in memory but for the byte order.
+struct StoredAt {
+  std::filesystem::path file{};
+  std::uint64_t first = 0;   // byte of the file: what follows is one stream up to its end
+  bool packed = false;       // by gzip
+  std::uint64_t offset = 0;  // bytes of the stream, unpacked, before the first voxel
+  std::uint64_t size = 0;    // bytes of the stream, unpacked
+  bool swapped = false;      // in the byte order that is not this machine's
+};
+
 struct Volume {
   VoxelArray values{};
   Index3 dims{};                // voxels along each axis, each at least 1
@@ -35,6 +46,7 @@ struct Volume {
   bool level_set = false;               // a signed distance: inside is below, iso defaults to 0
   bool mask = false;                    // of 0 and 1: iso defaults to 0.5
   std::string name{};                   // of the grid within the file; empty where files hold one
+  std::optional<StoredAt> stored_at{};  // unset where the file holds the voxels in another way
   std::vector<std::string> notes{};     // what was read how; a sentence each
   std::vector<std::string> warnings{};  // what a user should look at; a sentence each
 };
