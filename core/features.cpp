@@ -6,11 +6,11 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <utility>
 
 #include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -21,6 +21,7 @@ namespace isoloop {
 namespace {
 
 constexpr float far = std::numeric_limits<float>::infinity();
+constexpr double most_fronts_to_a_length = 4096.0;  // of the loop: voxels may be very flat
 
 /// One front: the places at one distance from the loop, on one side of it.
 struct Front {
@@ -101,7 +102,7 @@ class Sweep {
       : surface_(surface),
         fans_(fans),
         ratio_(ratio),
-        step_(std::min({surface.spacing[0], surface.spacing[1], surface.spacing[2]})),
+        least_step_(std::min({surface.spacing[0], surface.spacing[1], surface.spacing[2]})),
         longest_edge_(
             *std::max_element(surface.graph.lengths.begin(), surface.graph.lengths.end())),
         distance_(surface.points.size(), far),
@@ -110,13 +111,14 @@ class Sweep {
   Feature run(const Loop& loop) {
     start(loop);
     const Front first = front_along(surface_, loop);
+    const double step = std::max(least_step_, loop.length / most_fronts_to_a_length);
     std::array<SweptSide, 3> sides{};  // 0: the loop itself
     sides[0].open = false;
     for (SweptSide& side : sides) side.last = first;
     Feature feature{.least_girth = loop.length, .mean_girth = loop.length};
     std::size_t fronts = 1;
     for (std::size_t k = 1; sides[1].open || sides[2].open; ++k) {
-      const double level = static_cast<double>(k) * step_;
+      const double level = static_cast<double>(k) * step;
       // Beyond the level, so that the corners of the triangles that it crosses are settled.
       settle_up_to(level + longest_edge_, sides);
       const std::array<Front, 3> met = fronts_at(level);
@@ -132,7 +134,7 @@ class Sweep {
     }
     feature.mean_girth /= static_cast<double>(fronts);
     const Vec3 chord = difference(sides[2].last.centroid, sides[1].last.centroid);
-    feature.axis = without_direction(norm(chord) >= feature.depth / 2 && feature.depth >= step_
+    feature.axis = without_direction(norm(chord) >= feature.depth / 2 && feature.depth >= step
                                          ? chord
                                          : normal_of(surface_, loop));
     for (const std::uint32_t vertex : reached_)
@@ -279,7 +281,7 @@ class Sweep {
   const Surface& surface_;
   const TriangleFans& fans_;
   double ratio_;
-  double step_;  // of the levels: a voxel
+  double least_step_;  // from front to front: a voxel
   double longest_edge_;
   double meeting_ = far;  // the least distance at which the sides meet away from the loop
   std::vector<float> distance_;
@@ -310,15 +312,17 @@ std::vector<Feature> features_of(const Surface& surface, const std::vector<Loop>
   std::vector<Feature> features(loops.size());
   if (loops.empty()) return features;
   const std::uint64_t vertices = surface.points.size();
-  tbb::task_arena arena(searches_at_once(vertices, options.max_bytes));
+  const int searches = searches_at_once(vertices, options.max_bytes);
+  tbb::task_arena arena(searches);
   const std::uint64_t room =
       options.max_bytes - (surface_share + fans_share + search_share) * vertices;
   const TriangleFans fans(surface);
-  tbb::enumerable_thread_specific<Sweep> sweeps(
-      [&] { return Sweep(surface, fans, options.ratio); });
+  std::vector<std::optional<Sweep>> sweeps(static_cast<std::size_t>(searches));
   std::atomic<std::uint64_t> kept = 0;
   const auto run = [&](std::size_t i) {
-    features[i] = sweeps.local().run(loops[i]);
+    auto& sweep = sweeps[static_cast<std::size_t>(tbb::this_task_arena::current_thread_index())];
+    if (!sweep) sweep.emplace(surface, fans, options.ratio);
+    features[i] = sweep->run(loops[i]);
     features[i].vertices.shrink_to_fit();
     kept += sizeof(std::uint32_t) * features[i].vertices.size();
     if (kept <= room) return;

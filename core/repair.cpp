@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "core/certificate.h"
@@ -16,10 +17,11 @@ namespace isoloop {
 namespace {
 
 /// Loops that are to be left alone in this analysis.
-using Unwanted = std::set<std::pair<LoopKind, int>>;
+using Unwanted = std::set<std::tuple<LoopKind, int, int>>;
 
-std::pair<LoopKind, int> key_of(const LoopName& name) { return {name.kind, name.id}; }
-std::pair<LoopKind, int> key_of(const Target& target) { return key_of(target.name); }
+std::tuple<LoopKind, int, int> key_of(const Target& target) {
+  return {target.name.kind, target.name.id, target.round};
+}
 
 void sort_by_length(std::vector<Target>& targets) {
   std::stable_sort(targets.begin(), targets.end(),
@@ -233,7 +235,8 @@ class Repairer {
   [[noreturn]] void refuse(const Plan& plan, const Outcome& outcome) const {
     const bool has_target = !plan.targets.empty();
     const Target& first = has_target ? plan.targets.front() : plan.spare.front();
-    const Target& target = outcome.failed.empty() ? first : outcome.failed.front();
+    const Target& last = put_off_.empty() ? first : put_off_.back();
+    const Target& target = outcome.failed.empty() ? last : outcome.failed.front();
     const std::string found = target.round == 1
                                   ? ""
                                   : " (of analysis " + std::to_string(target.round) + ", after " +

@@ -56,6 +56,8 @@ def main():
         before, after = (numpy.fromfile(path, numpy.uint8).reshape(dims, order="F")
                          for path in (volume, repaired))
     tunnels = [loop for loop in loops if loop["kind"] == "tunnel"]
+    if report["rounds"] != 1:
+        sys.exit("more than one round: ids of later ones are not those of the loops")
     removed = {removal["id"]: removal["voxels"] for removal in report["removals"]}
     print("| tunnel | length | cross-section | voxels changed | of the cross-section "
           "| feature's box | excess of the box |")

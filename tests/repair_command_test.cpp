@@ -138,11 +138,38 @@ TEST_F(RepairCommand, KeepsTheHeaderOfANiftiFile) {
 TEST_F(RepairCommand, RefusesFormatsWhoseVoxelsItCannotReplace) {
   scratch_.write("ring.hdr", nifti_ring({"ni1\0", 4}));
   scratch_.write("ring.img", ring_bytes());
-  expect_failure({"repair", "ring.hdr", "--iso", "1", "--genus", "0", "-o", "out.hdr"}, 2,
-                 "convert it to .nrrd first");
+  for (const std::string half : {".hdr", ".img"})
+    expect_failure({"repair", "ring" + half, "--iso", "1", "--genus", "0", "-o", "out" + half}, 2,
+                   "one file holds header and voxels");
+  std::string wide = "NRRD0004\ntype: int64\ndimension: 3\nsizes: 5 5 3\nendian: little\n";
+  wide += "encoding: raw\n\n";
+  for (const char voxel : ring_bytes()) wide += voxel + std::string(7, '\0');
+  scratch_.write("wide.nrrd", wide);
+  expect_failure({"repair", "wide.nrrd", "--iso", "1", "--genus", "0", "-o", "out.nrrd"}, 2,
+                 "32 bits at most");
   scratch_.write("ring.nii", nifti_ring({"n+1\0", 4}) + ring_bytes());
   expect_failure({"repair", "ring.nii", "--iso", "1", "--genus", "0", "-o", "out.nii.gz"}, 2,
                  "same format");
+  expect_failure({"repair", "ring.nii", "--iso", "1", "--genus", "0", "-o", "out.img"}, 2,
+                 "same format");
+}
+
+TEST_F(RepairCommand, WritesAMaskWhereLabelsAreTaken) {
+  std::string labels = ring_bytes();
+  for (char& voxel : labels) voxel = voxel != 0 ? '\7' : '\0';
+  scratch_.write("labels_5x5x3_int8.raw", labels);
+  const Words repair{"repair", "labels_5x5x3_int8.raw", "--label", "7", "--fill-tunnels", "100",
+                     "-o"};
+  const auto to = [&](const std::string& name) {
+    Words words = repair;
+    words.push_back(name);
+    return words;
+  };
+  expect_failure(to("out_5x5x3_int8.raw"), 2, "uint8 voxels; name it so");
+  const ProcessResult result = run(to(out_));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(counts(out_)["b1"], 0);
+  EXPECT_EQ(scratch_.read(out_).find('\7'), std::string::npos);
 }
 
 TEST_F(RepairCommand, RefusesWhatMakesNoSense) {

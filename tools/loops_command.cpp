@@ -112,6 +112,7 @@ void find(const LoopsFlags& flags) {
   input.with_scan = !flags.html.empty();
   const FeatureOptions features = feature_options(flags);
   if (reports_features(flags) || !flags.html.empty()) input.features = features;
+  input.features_may_lack = !reports_features(flags);
   check_engine_flags(input);
   const OutputFiles outputs = outputs_of(flags);
   ProgressLine progress(std::cerr, progress_options(flags.progress));

@@ -1,11 +1,13 @@
 #include "tools/loops_run.h"
 
 #include <chrono>
+#include <iostream>
 #include <optional>
 
 #include <CLI/CLI.hpp>
 #include <tbb/global_control.h>
 
+#include "core/errors.h"
 #include "tools/read_run.h"
 #include "tools/scan_run.h"
 
@@ -55,7 +57,12 @@ RunResult find_run(const LoopsInput& input, const Progress& progress) {
     if (progress) progress("features", 0.93);
     FeatureOptions options = *input.features;
     options.max_bytes = run.cost.max_bytes;
-    run.features = features_of(run.analysis.surface, run.analysis.loops, options);
+    try {
+      run.features = features_of(run.analysis.surface, run.analysis.loops, options);
+    } catch (const LimitExceeded& error) {
+      if (!input.features_may_lack) throw;
+      std::cerr << "isoloop: warning: features are left out: " << error.what() << '\n';
+    }
   }
   if (input.with_scan && boundary == Boundary::closed) {
     if (progress) progress("scan", 0.95);

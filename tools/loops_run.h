@@ -22,6 +22,7 @@ struct LoopsInput {
   LoopFilter filter;
   bool with_scan = false;  // also count at many iso values, unless the boundary is open
   std::optional<FeatureOptions> features{};  // also sweep the features, unless the boundary is open
+  bool features_may_lack = false;            // with a warning, where memory has no room for them
 };
 
 /// Adds --threads. `threads` must outlive the parse.

@@ -6,7 +6,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -23,6 +22,7 @@
 #include "volume/file_kind.h"
 #include "volume/header_text.h"
 #include "volume/patch.h"
+#include "volume/raw.h"
 #include "volume/write.h"
 
 namespace isoloop {
@@ -39,35 +39,51 @@ struct CommandFlags {
   ProgressFlags progress;
 };
 
-bool is_packed(const std::filesystem::path& path) {
-  return lower_case(path.extension().string()) == ".gz";
+/// ".raw", ".nii.gz", in lower case.
+std::string extension_of(const std::filesystem::path& path) {
+  const std::string last = lower_case(path.extension().string());
+  return last == ".gz" ? lower_case(path.stem().extension().string()) + last : last;
 }
 
-/// Whether the file can be copied with the changed voxels in their places.
+/// Whether the file can be copied with the changed voxels in their places. An .img file is none
+/// without its header.
 bool can_be_patched(const CommandFlags& flags, const Volume& volume) {
-  return volume.stored_at && std::filesystem::equivalent(volume.stored_at->file, flags.volume.file);
+  return volume.stored_at && !extension_of(flags.volume.file).starts_with(".img") &&
+         std::filesystem::equivalent(volume.stored_at->file, flags.volume.file);
+}
+
+/// Masks do not have the voxel type of the file that they were made from.
+void check_mask_file(const CommandFlags& flags, const Volume& volume) {
+  if (file_kind(flags.output) != FileKind::raw) return;
+  if (flags.volume.skip > 0) {
+    throw InvalidArgument(
+        "masks are written without a header: --label goes with --skip for --dry-run only");
+  }
+  const auto layout = layout_from_name(flags.output);
+  if (layout && (layout->dims != volume.dims || layout->type != voxel_type(volume.values))) {
+    throw InvalidArgument("--output " + flags.output + " would hold a mask of " +
+                          dims_text(volume.dims) + " " + type_name(volume.values) +
+                          " voxels; name it so");
+  }
 }
 
 /// The output has the input's format, so that it keeps its type and geometry.
 void check_format(const CommandFlags& flags, const Volume& volume) {
   const auto kind = file_kind(flags.volume.file);
-  if (file_kind(flags.output) != kind || is_packed(flags.output) != is_packed(flags.volume.file)) {
+  if (extension_of(flags.output) != extension_of(flags.volume.file)) {
     throw InvalidArgument("--output " + flags.output + " must be a file of the same format as " +
                           flags.volume.file);
   }
   if (can_be_patched(flags, volume)) return;
-  if (!is_written(flags.output)) {
+  if (volume.mask && is_written(flags.output)) return check_mask_file(flags, volume);
+  if (kind != FileKind::vdb) {
     throw InvalidArgument(
         flags.volume.file +
-        ": volumes are repaired in this format only if the file holds the voxels one after "
-        "another, neither scaled nor compressed otherwise than by gzip; convert it to .nrrd first");
+        ": volumes are repaired in this format only if one file holds header and voxels, one after "
+        "another, of 32 bits at most if they are whole numbers, neither scaled nor compressed "
+        "otherwise than by gzip; convert it to such a file, of .nrrd for one");
   }
-  if (kind == FileKind::raw && (flags.volume.skip > 0 || flags.volume.endian != "little")) {
-    throw InvalidArgument(
-        "masks are written without a header: --label goes with --skip and --endian big for "
-        "--dry-run only");
-  }
-  if (kind == FileKind::vdb && voxel_type(volume.values) != VoxelType::float32) {
+  if (voxel_type(volume.values) != VoxelType::float32) {
     throw InvalidArgument("OpenVDB grids are written as float, which would round the voxels of " +
                           flags.volume.file + "; convert it to a float grid first");
   }

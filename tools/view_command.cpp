@@ -43,6 +43,7 @@ void add_view_command(CLI::App& app) {
   auto flags = std::make_shared<ViewFlags>();
   flags->input.with_scan = true;
   flags->input.features = FeatureOptions{};
+  flags->input.features_may_lack = true;
   add_volume_flags(command, flags->input.volume);
   add_level_flags(command, flags->input.level);
   command

@@ -4,7 +4,6 @@
 #include <array>
 #include <new>
 #include <ostream>
-#include <type_traits>
 #include <vector>
 
 #include <zlib.h>

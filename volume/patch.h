@@ -12,7 +12,7 @@ namespace isoloop {
 /// Copies the file that `volume` was read from, whose stored_at must be set, but for the voxels
 /// listed (in scan order, ascending): these get the values that the volume has. Header, other
 /// voxels and other frames keep their bytes; what was packed is packed again. Throws InvalidInput
-/// if the file is no longer what it was. A failure to write shows in the stream's state.
+/// if the file is no longer as long as it was. A failure to write shows in the stream's state.
 void write_patched(const Volume& volume, std::span<const std::size_t> voxels, std::ostream& out);
 
 }  // namespace isoloop
