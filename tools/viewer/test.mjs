@@ -89,8 +89,8 @@ const moved = (a, b) => Math.hypot(...a.camera.map((x, i) => x - b.camera[i]));
 
 const tests = {
   async 'a torus has a green loop and a red one, in the picture too'() {
-    run('generate', 'torus', '--size', '48', '-o', 'torus.vdb');
-    run('view', 'torus.vdb', '-o', 'torus.html');
+    run('generate', 'torus', '--size', '48', '-o', 'torus.nrrd');
+    run('view', 'torus.nrrd', '--inside', 'below', '--iso', '0', '-o', 'torus.html');
     const { page, trouble } = await open('torus.html');
     assert.equal((await state(page)).tubes, 2);
     const all = await pixels(page);
