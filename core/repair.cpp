@@ -186,7 +186,7 @@ class Repairer {
       std::vector<GeneratorSet> classes;
       for (const Done& done : outcome.done) classes.push_back(done.joint_class);
       const ClassPassage passage(now_, next, changed_by(outcome), classes);
-      if (is_sound(next, passage)) {
+      if (is_sound(outcome, next, passage)) {
         named_ = carried(named_, now_, next, passage);
         accept(outcome, std::move(next));
         return true;
@@ -209,10 +209,15 @@ class Repairer {
     return changed;
   }
 
-  bool is_sound(const Workings& next, const ClassPassage& passage) const {
-    const Betti& before = now_.analysis.betti;
-    const Betti& after = next.analysis.betti;
-    return before.b0 == after.b0 && before.b2 == after.b2 && !passage.check();
+  /// Where all loops are to go there is none that must stay.
+  bool is_sound(const Outcome& outcome, const Workings& next, const ClassPassage& passage) const {
+    const Analysis& before = now_.analysis;
+    const Analysis& after = next.analysis;
+    const auto removed = static_cast<std::int64_t>(outcome.done.size());
+    const bool all_go = request_.genus && *request_.genus <= 0;
+    return after.surface.genus() == before.surface.genus() - removed &&
+           before.betti.b0 == after.betti.b0 && before.betti.b2 == after.betti.b2 &&
+           (all_go || !passage.check());
   }
 
   void accept(const Outcome& outcome, Workings next) {
