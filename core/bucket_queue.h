@@ -13,7 +13,7 @@ namespace isoloop {
 
 /// Keys that are not negative, with a value each; of equal keys the lesser value comes first. Lies
 /// in buckets (Dial, Communications of the ACM 12, 1969), of which only the one that is being
-/// emptied is kept as a heap.
+/// emptied is kept sorted.
 class BucketQueue {
  public:
   struct Item {
@@ -39,7 +39,11 @@ class BucketQueue {
     const auto number = static_cast<std::uint64_t>(key * per_bucket_);
     auto& bucket = buckets_[number % bucket_count];
     bucket.push_back(item);
-    if (number == current_) std::push_heap(bucket.begin(), bucket.end(), std::greater<>{});
+    if (number == current_) {
+      const auto last = bucket.end() - 1;
+      const auto at = std::upper_bound(bucket.begin(), last, item, std::greater<>{});
+      std::rotate(at, last, bucket.end());
+    }
     ++size_;
   }
 
@@ -49,10 +53,9 @@ class BucketQueue {
       while (buckets_[++current_ % bucket_count].empty()) {
       }
       auto& next = buckets_[current_ % bucket_count];
-      std::make_heap(next.begin(), next.end(), std::greater<>{});
+      std::sort(next.begin(), next.end(), std::greater<>{});
     }
     auto& bucket = buckets_[current_ % bucket_count];
-    std::pop_heap(bucket.begin(), bucket.end(), std::greater<>{});
     const std::uint64_t item = bucket.back();
     bucket.pop_back();
     --size_;
@@ -64,7 +67,7 @@ class BucketQueue {
   static constexpr std::uint64_t bucket_count = 128;
 
   std::array<std::vector<std::uint64_t>, bucket_count> buckets_;  // key, then value
-  std::uint64_t current_ = 0;  // number of the bucket that is a heap; the others follow it
+  std::uint64_t current_ = 0;  // number of the sorted bucket; the others follow it
   std::size_t size_ = 0;
   float per_bucket_;
 };
