@@ -1,4 +1,4 @@
-// The spanning forest that Kruskal's algorithm would pick, without sorting the pieces.
+// The spanning forest that Kruskal's algorithm would pick, without sorting all pieces.
 #pragma once
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <boost/sort/spreadsort/integer_sort.hpp>
 #include <tbb/parallel_for.h>
 
 #include "core/bit_set.h"
@@ -16,90 +17,76 @@
 
 namespace isoloop {
 
-/// Boruvka's rounds within some layers of cells: a tree takes the greatest piece on its border as
-/// long as that leads to another tree of these layers.
+/// Kruskal's walk through the pieces of some layers of cells, and what of it holds for the whole
+/// complex. A piece that closes a cycle of larger ones is in no largest forest; one that is the
+/// largest on the border of a tree is in it. Whether it is can be told here unless both trees that
+/// it joins are bound: have a larger piece on their border that leads out of these layers.
 template <Complex C>
 class ForestOfLayers {
  public:
-  /// `is_bound`: cells with pieces outside their own layer and the next, whose trees take none.
-  ForestOfLayers(const C& complex, std::uint32_t begin, std::uint32_t end, DisjointSets& trees,
-                 const BitSet& is_bound)
+  /// `is_bound`: cells with pieces in the last layer.
+  ForestOfLayers(const C& complex, std::uint32_t begin, std::uint32_t end, const BitSet& is_bound)
       : complex_(complex),
         begin_(begin),
         end_(end),
         first_(complex.first_cell(begin)),
         last_(complex.first_cell(end)),
-        trees_(trees),
-        greatest_(last_ - first_),
+        joined_(last_ - first_),
+        trees_(last_ - first_),
         is_bound_(last_ - first_) {
-    for (std::uint32_t cell = first_; cell < last_; ++cell)
-      is_bound_[cell - first_] = is_bound[cell];
+    for (std::uint32_t cell = first_; cell < last_; ++cell) is_bound_[local(cell)] = is_bound[cell];
   }
 
-  /// Adds to `forest`. Returns the pieces of these layers that still join two trees, of these
-  /// layers or others.
-  std::vector<std::uint32_t> grow(BitSet& forest) {
-    offer_all([](std::uint32_t) {});
-    join(forest);
+  /// Adds to `forest`, and its trees to `trees`. Returns the pieces of these layers that may be in
+  /// it as well.
+  std::vector<std::uint32_t> grow(BitSet& forest, DisjointSets& trees) {
+    std::vector<std::uint64_t> sized;  // keys
+    std::vector<std::uint32_t> unsized;
+    const std::uint32_t end = std::min(end_ + 1, complex_.layer_count() - 1);
+    for (std::uint32_t layer = begin_; layer < end; ++layer)
+      complex_.for_each_piece(layer, [&](std::uint32_t piece) {
+        if (layer == end_) end_of_own_ = std::min(end_of_own_, piece);
+        if (const float size = complex_.size(piece); size > 0.0F)
+          sized.push_back(order_key(size, piece));
+        else
+          unsized.push_back(piece);
+      });
+    boost::sort::spreadsort::integer_sort(sized.begin(), sized.end());
     std::vector<std::uint32_t> open;
-    offer_all([&](std::uint32_t piece) { open.push_back(piece); });
-    while (join(forest) > (last_ - first_) / worthwhile)
-      std::erase_if(open, [&](std::uint32_t piece) { return !offer(piece); });
-    std::erase_if(open, [&](std::uint32_t piece) {
-      const auto [a, b] = complex_.cells(piece);
-      return piece >= end_of_own_ || tree(a) == tree(b);
-    });
+    for (std::size_t i = sized.size(); i-- > 0;)
+      take(static_cast<std::uint32_t>(sized[i]), forest, open);
+    for (std::size_t i = unsized.size(); i-- > 0;) take(unsized[i], forest, open);
     open.shrink_to_fit();
+    for (std::uint32_t cell = first_; cell < last_; ++cell)
+      trees.unite(cell, last_ - 1 - trees_.find(local(cell)));
     return open;
   }
 
  private:
-  static constexpr std::uint32_t worthwhile = 256;  // share of the cells that a round must join
-
   bool is_local(std::uint32_t cell) const { return cell - first_ < last_ - first_; }
 
-  std::uint32_t tree(std::uint32_t cell) const { return is_local(cell) ? trees_.root(cell) : cell; }
+  /// Backwards, as most pieces are met: the roots of sets are their least members, and stay so.
+  std::uint32_t local(std::uint32_t cell) const { return last_ - 1 - cell; }
 
-  /// Calls keep(piece) for every piece that touches these layers and joins two trees.
-  template <class Keep>
-  void offer_all(const Keep& keep) {
-    for (std::uint32_t layer = begin_; layer < std::min(end_ + 1, complex_.layer_count()); ++layer)
-      complex_.for_each_piece(layer, [&](std::uint32_t piece) {
-        if (layer == end_) end_of_own_ = std::min(end_of_own_, piece);
-        if (offer(piece)) keep(piece);
-      });
-  }
-
-  /// Says whether the piece joins two trees.
-  bool offer(std::uint32_t piece) {
+  /// To be called with the largest piece first.
+  void take(std::uint32_t piece, BitSet& forest, std::vector<std::uint32_t>& open) {
     const auto [a, b] = complex_.cells(piece);
-    const std::uint32_t tree_a = tree(a);
-    const std::uint32_t tree_b = tree(b);
-    if (tree_a == tree_b) return false;
-    const std::uint64_t key = order_key(complex_.size(piece), piece) + 1;  // 0 means none
-    for (const std::uint32_t root : {tree_a, tree_b})
-      if (is_local(root)) greatest_[root - first_] = std::max(greatest_[root - first_], key);
-    return true;
-  }
-
-  std::uint32_t join(BitSet& forest) {
-    std::uint32_t joined = 0;
-    for (std::uint32_t cell = first_; cell < last_; ++cell) {
-      const std::uint64_t key = greatest_[cell - first_];
-      greatest_[cell - first_] = 0;
-      if (key == 0 || is_bound_[cell - first_] != 0) continue;
-      const auto piece = static_cast<std::uint32_t>(key - 1);
-      const auto [a, b] = complex_.cells(piece);
-      if (!is_local(a) || !is_local(b)) continue;
-      const std::uint32_t tree_a = trees_.find(a);
-      const std::uint32_t tree_b = trees_.find(b);
-      if (!trees_.unite(tree_a, tree_b)) continue;
-      is_bound_[std::min(tree_a, tree_b) - first_] |= is_bound_[std::max(tree_a, tree_b) - first_];
-      forest.insert_shared(piece);
-      ++joined;
+    if (!is_local(a) || !is_local(b)) {
+      for (const std::uint32_t cell : {a, b})
+        if (is_local(cell)) is_bound_[trees_.find(local(cell))] = 1;
+      if (a != b && piece < end_of_own_) open.push_back(piece);
+      return;
     }
-    trees_.flatten(first_, last_);
-    return joined;
+    if (!joined_.unite(local(a), local(b))) return;
+    const std::uint32_t tree_a = trees_.find(local(a));
+    const std::uint32_t tree_b = trees_.find(local(b));
+    if (is_bound_[tree_a] != 0 && is_bound_[tree_b] != 0) {
+      open.push_back(piece);
+      return;
+    }
+    is_bound_[std::min(tree_a, tree_b)] |= is_bound_[std::max(tree_a, tree_b)];
+    trees_.unite(tree_a, tree_b);
+    forest.insert_shared(piece);
   }
 
   const C& complex_;
@@ -108,9 +95,9 @@ class ForestOfLayers {
   std::uint32_t first_;  // cells
   std::uint32_t last_;
   std::uint32_t end_of_own_ = static_cast<std::uint32_t>(-1);  // the first piece of the layer after
-  DisjointSets& trees_;
-  std::vector<std::uint64_t> greatest_;  // by root: key of its greatest piece
-  std::vector<std::uint8_t> is_bound_;   // by root
+  DisjointSets joined_;                                        // by the pieces so far
+  DisjointSets trees_;                                         // of the forest
+  std::vector<std::uint8_t> is_bound_;                         // by root of a tree
 };
 
 /// Boruvka's rounds on what is left: `trees` as nodes, joined by the pieces in `open`.
@@ -155,10 +142,10 @@ void join_trees(const C& complex, const std::vector<std::uint32_t>& tree_of_cell
 }
 
 /// The pieces that join two components of cells when all are read in the order of order.h, the
-/// largest first: the one greatest spanning forest of the dual graph. Boruvka's rounds (each tree
-/// takes the greatest piece on its border; Nesetril, Milkova, Nesetrilova, Discrete Mathematics
-/// 233, 2001), first within slabs of a few layers each, then between what these come to: such
-/// rounds walk through little memory, in order, where Kruskal's walk jumps about.
+/// largest first: the one greatest spanning forest of the dual graph. Kruskal's walk within slabs
+/// of a few layers each, which walks through little memory and mostly in order, then Boruvka's
+/// rounds between what these come to (each tree takes the greatest piece on its border; Nesetril,
+/// Milkova, Nesetrilova, Discrete Mathematics 233, 2001).
 template <Complex C>
 BitSet largest_forest(const C& complex) {
   constexpr std::uint32_t slab = 8;  // layers
@@ -174,7 +161,7 @@ BitSet largest_forest(const C& complex) {
   });
   tbb::parallel_for(std::uint32_t{0}, slabs, [&](std::uint32_t s) {
     const std::uint32_t end = std::min((s + 1) * slab, layers - 1);
-    open[s] = ForestOfLayers<C>(complex, s * slab, end, cells, is_bound).grow(forest);
+    open[s] = ForestOfLayers<C>(complex, s * slab, end, is_bound).grow(forest, cells);
   });
   // Most trees are single cells of the other side, which nothing touches.
   BitSet touched(complex.cell_bound());
