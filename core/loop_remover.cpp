@@ -15,6 +15,7 @@ namespace isoloop {
 namespace {
 
 constexpr int value_styles = 3;
+constexpr std::size_t few = 27;         // voxels that a cut may sever, besides as many as its own
 constexpr std::size_t patience = 6000;  // voxels of the sets that may fail before the last resort
 
 }  // namespace
@@ -119,6 +120,9 @@ std::optional<std::vector<VoxelChange>> LoopRemover::propose(const LoopSite& loo
         if (!thin || !tried.insert(*thin).second) continue;
         spent += thin->size();
         if (auto change = passing(side, *thin)) return change;
+        const auto more = finder(side).with_severed(query, *thin, thin->size() + few);
+        if (more.size() == thin->size()) continue;
+        if (auto change = passing(side, more)) return change;
       }
   std::vector<std::uint32_t> spanned = finder(side).spanned(query);
   for (int dilations = 0; dilations < 2; ++dilations) {

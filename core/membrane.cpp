@@ -45,6 +45,65 @@ std::optional<std::vector<std::uint32_t>> MembraneFinder::thin(const MembraneQue
   return state.best_cut();
 }
 
+/// What `start` reaches without meeting vertices seen in round `first_round`; empty if that is more
+/// than `most` vertices, or was reached in a later round.
+std::vector<std::uint32_t> MembraneFinder::part_beside(const MembraneQuery& query,
+                                                       std::uint32_t start,
+                                                       std::uint32_t first_round,
+                                                       std::size_t most) {
+  const MembraneSearch anywhere{};
+  const Search side(*this, query, anywhere);
+  const std::uint32_t round = ++rounds_;
+  std::vector<std::uint32_t> part{start};
+  seen_[start] = round;
+  bool is_whole = true;
+  for (std::size_t i = 0; i < part.size() && is_whole; ++i)
+    side.for_each_cell(part[i], [&](const Search::Incidence& at) {
+      if (at.cube == none) {
+        is_whole = false;
+        return;
+      }
+      side.for_each_corner(at, [&](std::uint32_t corner) {
+        if (seen_[corner] > first_round && seen_[corner] < round) is_whole = false;
+        if (seen_[corner] >= first_round) return;
+        seen_[corner] = round;
+        part.push_back(corner);
+        is_whole = is_whole && part.size() <= most;
+      });
+    });
+  if (!is_whole) part.clear();
+  return part;
+}
+
+std::vector<std::uint32_t> MembraneFinder::with_severed(const MembraneQuery& query,
+                                                        const std::vector<std::uint32_t>& set,
+                                                        std::size_t most) {
+  const std::uint32_t first_round = ++rounds_;
+  for (const std::uint32_t vertex : set) seen_[vertex] = first_round;
+  const MembraneSearch anywhere{};
+  const Search side(*this, query, anywhere);
+  std::vector<std::vector<std::uint32_t>> parts;
+  bool has_larger = false;
+  for (const std::uint32_t vertex : set)
+    side.for_each_cell(vertex, [&](const Search::Incidence& at) {
+      if (at.cube == none) return;
+      side.for_each_corner(at, [&](std::uint32_t corner) {
+        if (seen_[corner] >= first_round) return;
+        parts.push_back(part_beside(query, corner, first_round, most));
+        has_larger = has_larger || parts.back().empty();
+      });
+    });
+  const auto smaller = [](const auto& a, const auto& b) { return a.size() < b.size(); };
+  if (!has_larger && !parts.empty())
+    parts.erase(std::max_element(parts.begin(), parts.end(), smaller));
+  std::vector<std::uint32_t> all = set;
+  for (const auto& part : parts)
+    if (std::none_of(part.begin(), part.end(), [&](auto vertex) { return query.fixed[vertex]; }))
+      all.insert(all.end(), part.begin(), part.end());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
 std::vector<std::uint32_t> MembraneFinder::spanned(const MembraneQuery& query) {
   mark_odd_pieces(query.crossing);
   std::vector<std::uint32_t> vertices;

@@ -47,6 +47,12 @@ class MembraneFinder {
   std::optional<std::vector<std::uint32_t>> thin(const MembraneQuery& query,
                                                  const MembraneSearch& search);
 
+  /// The set, and what it cuts off on this side: parts beside it of at most `most` vertices that
+  /// reach nothing else, without the largest where there is no larger part. Ascending. Parts with
+  /// fixed vertices are left out.
+  std::vector<std::uint32_t> with_severed(const MembraneQuery& query,
+                                          const std::vector<std::uint32_t>& set, std::size_t most);
+
   /// The corners of all odd pieces: the surface that the labels span, to the letter. Ascending,
   /// without those that are gone or fixed.
   std::vector<std::uint32_t> spanned(const MembraneQuery& query);
@@ -56,6 +62,8 @@ class MembraneFinder {
   friend struct Search;
 
   void mark_odd_pieces(std::span<const std::uint32_t> crossing);
+  std::vector<std::uint32_t> part_beside(const MembraneQuery& query, std::uint32_t start,
+                                         std::uint32_t first_round, std::size_t most);
   bool is_odd(std::uint32_t piece) const { return odd_label_[pass_.labels[piece]] != 0; }
   bool is_on_border(std::uint32_t vertex) const {
     return (sides_.cubes[vertex] & Sides::on_border) != 0;

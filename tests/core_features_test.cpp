@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <vector>
 
@@ -20,20 +19,9 @@ using testing::zero_level;
 
 constexpr double pi = std::numbers::pi;
 
-SmallVolume solid(const Index3& dims, const std::function<double(double, double, double)>& value) {
-  SmallVolume volume;
-  volume.dims = dims;
-  for (std::int64_t z = 0; z < dims[2]; ++z)
-    for (std::int64_t y = 0; y < dims[1]; ++y)
-      for (std::int64_t x = 0; x < dims[0]; ++x)
-        volume.values.push_back(
-            value(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)));
-  return volume;
-}
-
 /// A plate across z, 2 * half_thickness thick, with a bore of the given radius in its middle.
 SmallVolume bored_plate(double radius, double half_thickness) {
-  return solid({40, 40, 24}, [=](double x, double y, double z) {
+  return testing::sampled({40, 40, 24}, [=](double x, double y, double z) {
     const double from_axis = std::hypot(x - 19.5, y - 19.5);
     return std::min({from_axis - radius, half_thickness - std::abs(z - 11.5), 17.0 - from_axis});
   });
@@ -41,7 +29,7 @@ SmallVolume bored_plate(double radius, double half_thickness) {
 
 /// Two plates 16 apart, joined by a rod of radius 4 between their middles and by a wall at a side.
 SmallVolume rod_between_plates() {
-  return solid({44, 30, 28}, [](double x, double y, double z) {
+  return testing::sampled({44, 30, 28}, [](double x, double y, double z) {
     const double plates = std::max(z - 22.0, 6.0 - z);
     const double rod = 4.0 - std::hypot(x - 16.5, y - 14.5);
     const double wall = x - 36.0;

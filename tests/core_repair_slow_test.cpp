@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -27,12 +26,7 @@ TEST(RepairSlow, ReachesGenusZeroOnTenThousandVolumes) {
   std::atomic<std::int64_t> voxels = 0;
   std::atomic<std::int64_t> failures = 0;
   tbb::parallel_for(0, 10'000, [&](int n) {
-    const auto seed = static_cast<std::uint32_t>(n);
-    std::mt19937 random(seed);
-    const auto length = [&] { return static_cast<std::int64_t>(16 + random() % 9); };
-    const Index3 dims{length(), length(), length()};
-    testing::SmallVolume volume =
-        testing::smooth_noise(dims, seed, 1 + static_cast<int>(random() % 3));
+    testing::SmallVolume volume = testing::noise_of_some_size(static_cast<std::uint32_t>(n));
     const IsoLevel level{0.0};
     try {
       const Repair repair = repair_loops(volume.view(), level, {.genus = 0});

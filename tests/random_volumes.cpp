@@ -11,17 +11,6 @@ std::size_t voxel_count(const Index3& dims) {
   return static_cast<std::size_t>(dims[0] * dims[1] * dims[2]);
 }
 
-template <class Value>
-SmallVolume sampled(const Index3& dims, const Value& value) {
-  SmallVolume volume{{}, dims};
-  for (std::int64_t z = 0; z < dims[2]; ++z)
-    for (std::int64_t y = 0; y < dims[1]; ++y)
-      for (std::int64_t x = 0; x < dims[0]; ++x)
-        volume.values.push_back(
-            value(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)));
-  return volume;
-}
-
 /// Distance from a circle of radius `ring` about `center` in the plane of axes (a, b).
 double from_circle(const Vec3& p, const Vec3& center, int a, int b, double ring) {
   const int c = 3 - a - b;
@@ -40,6 +29,17 @@ double least_extent(const Index3& dims) {
 }
 
 }  // namespace
+
+SmallVolume sampled(const Index3& dims,
+                    const std::function<double(double, double, double)>& value) {
+  SmallVolume volume{{}, dims};
+  for (std::int64_t z = 0; z < dims[2]; ++z)
+    for (std::int64_t y = 0; y < dims[1]; ++y)
+      for (std::int64_t x = 0; x < dims[0]; ++x)
+        volume.values.push_back(
+            value(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)));
+  return volume;
+}
 
 SmallVolume white_noise(const Index3& dims, std::uint32_t seed) {
   std::mt19937 random(seed);
@@ -69,6 +69,13 @@ SmallVolume smooth_noise(const Index3& dims, std::uint32_t seed, int rounds) {
                    sorted.end());
   for (double& value : volume.values) value -= sorted[sorted.size() / 2] + 1e-9;
   return volume;
+}
+
+SmallVolume noise_of_some_size(std::uint32_t seed) {
+  std::mt19937 random(seed);
+  const auto length = [&] { return static_cast<std::int64_t>(16 + random() % 9); };
+  const Index3 dims{length(), length(), length()};
+  return smooth_noise(dims, seed, 1 + static_cast<int>(random() % 3));
 }
 
 SmallVolume torus(const Index3& dims, double ring, double tube) {

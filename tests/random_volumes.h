@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/grid.h"
@@ -16,11 +17,17 @@ struct SmallVolume {
   GridView<double> view() const { return {values, dims, {1.0, 1.0, 1.0}}; }
 };
 
+/// value(x, y, z) at each voxel.
+SmallVolume sampled(const Index3& dims, const std::function<double(double, double, double)>& value);
+
 /// Uniform in [-1, 1], independent.
 SmallVolume white_noise(const Index3& dims, std::uint32_t seed);
 
 /// White noise averaged over 3 x 3 x 3 voxels, `rounds` times, about its median.
 SmallVolume smooth_noise(const Index3& dims, std::uint32_t seed, int rounds);
+
+/// Smooth noise of 16 to 24 voxels a side and 1 to 3 rounds, as the seed has it.
+SmallVolume noise_of_some_size(std::uint32_t seed);
 
 /// Solid torus in the middle, axis along z; radii in shares of the least extent.
 SmallVolume torus(const Index3& dims, double ring = 0.28, double tube = 0.12);
