@@ -105,29 +105,54 @@ std::optional<std::vector<VoxelChange>> LoopRemover::propose(const LoopSite& loo
   if (loop.spans_components) return std::nullopt;
   const Side side = side_of(loop.kind);
   const MembraneQuery query{loop.crossing, loop.edges, fixed_, changed_};
-  const Vec3& spacing = workings_.analysis.surface.spacing;
-  const double step = std::min({spacing[0], spacing[1], spacing[2]});
-  // No point of a disc that spans a round loop is farther from it than this.
-  const double round = loop.length / (2.0 * std::numbers::pi * step);
-  std::set<std::vector<std::uint32_t>> tried;
-  std::size_t spent = 0;
-  for (const bool clear_islands : {false, true})
-    for (const double share : {1.0, 1.6, 0.6, 0.3})
-      for (const bool from_far_side : {false, true}) {
-        if (spent > patience) break;
-        const auto reach = static_cast<std::uint32_t>(std::ceil(share * round)) + 1;
-        const auto thin = finder(side).thin(query, {reach, from_far_side, clear_islands});
-        if (!thin || !tried.insert(*thin).second) continue;
-        spent += thin->size();
-        if (auto change = passing(side, *thin)) return change;
-        const auto more = finder(side).with_severed(query, *thin, thin->size() + few);
-        if (more.size() == thin->size()) continue;
-        if (auto change = passing(side, more)) return change;
-      }
+  if (auto change = thin_change(side, query, reaches_for(loop.length))) return change;
   std::vector<std::uint32_t> spanned = finder(side).spanned(query);
   for (int dilations = 0; dilations < 2; ++dilations) {
     if (auto change = passing(side, spanned)) return change;
     spanned = dilated(side, spanned);
+  }
+  return std::nullopt;
+}
+
+/// How far to look for membranes from a loop of that length, in the order to be tried.
+std::vector<std::uint32_t> LoopRemover::reaches_for(double length) const {
+  const Vec3& spacing = workings_.analysis.surface.spacing;
+  const double step = std::min({spacing[0], spacing[1], spacing[2]});
+  // No point of a disc that spans a round loop is farther from it than this.
+  const double round = length / (2.0 * std::numbers::pi * step);
+  std::vector<std::uint32_t> distinct;
+  for (const double share : {1.0, 1.6, 0.6, 0.3}) {
+    const auto reach = static_cast<std::uint32_t>(std::ceil(share * round)) + 1;
+    if (std::find(distinct.begin(), distinct.end(), reach) == distinct.end())
+      distinct.push_back(reach);
+  }
+  return distinct;
+}
+
+std::optional<std::vector<VoxelChange>> LoopRemover::thin_change(
+    Side side, const MembraneQuery& query, std::vector<std::uint32_t> reaches) {
+  std::optional<std::vector<VoxelChange>> change;
+  std::set<std::vector<std::uint32_t>> tried;
+  std::size_t spent = 0;
+  const auto passes = [&](const std::vector<std::uint32_t>& thin) {
+    if (spent > patience || !tried.insert(thin).second) return false;
+    spent += thin.size();
+    change = passing(side, thin);
+    if (change) return true;
+    const auto more = finder(side).with_severed(query, thin, thin.size() + few);
+    if (more.size() > thin.size()) change = passing(side, more);
+    return change.has_value();
+  };
+  for (const bool clear_islands : {false, true}) {
+    std::vector<std::uint32_t> sufficient;
+    for (const std::uint32_t reach : reaches) {
+      if (spent > patience) return std::nullopt;
+      const auto has_passed = finder(side).thin(query, {reach, clear_islands}, passes);
+      if (!has_passed) continue;
+      if (*has_passed) return change;
+      sufficient.push_back(reach);
+    }
+    reaches = std::move(sufficient);
   }
   return std::nullopt;
 }

@@ -62,6 +62,9 @@ class LoopRemover {
 
  private:
   MembraneFinder& finder(Side side);
+  std::vector<std::uint32_t> reaches_for(double length) const;
+  std::optional<std::vector<VoxelChange>> thin_change(Side side, const MembraneQuery& query,
+                                                      std::vector<std::uint32_t> reaches);
   std::optional<std::vector<VoxelChange>> passing(Side side,
                                                   const std::vector<std::uint32_t>& vertices);
   std::vector<std::uint32_t> dilated(Side side, const std::vector<std::uint32_t>& vertices) const;

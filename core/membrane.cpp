@@ -37,12 +37,18 @@ void MembraneFinder::mark_odd_pieces(std::span<const std::uint32_t> crossing) {
   std::sort(odd_corners_.begin(), odd_corners_.end());
 }
 
-std::optional<std::vector<std::uint32_t>> MembraneFinder::thin(const MembraneQuery& query,
-                                                               const MembraneSearch& search) {
+std::optional<bool> MembraneFinder::thin(
+    const MembraneQuery& query, const MembraneSearch& search,
+    const std::function<bool(const std::vector<std::uint32_t>&)>& use) {
   mark_odd_pieces(query.crossing);
   Search state(*this, query, search);
   if (!state.collect_near() || !state.explore_rest()) return std::nullopt;
-  return state.best_cut();
+  state.group_parts();
+  for (const bool from_far_side : {false, true}) {
+    const auto set = state.best_cut(from_far_side);
+    if (set && use(*set)) return true;
+  }
+  return false;
 }
 
 /// What `start` reaches without meeting vertices seen in round `first_round`; empty if that is more

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -24,7 +25,6 @@ struct MembraneQuery {
 /// How to look for it.
 struct MembraneSearch {
   std::uint32_t reach = 0;     // steps from the loop, each within one cell
-  bool from_far_side = false;  // of the least sets the one nearest to the second of its two sides
   bool clear_islands = false;  // keep off parts of the other side that the loop does not run along
 };
 
@@ -43,9 +43,11 @@ class MembraneFinder {
   /// Keeps references: all must outlive it.
   MembraneFinder(const Sides& sides, const GridComplex& complex, const DualPass& pass);
 
-  /// Ascending. Nothing where the reach is too short or no set will do.
-  std::optional<std::vector<std::uint32_t>> thin(const MembraneQuery& query,
-                                                 const MembraneSearch& search);
+  /// Calls use(set) for the least set nearest to the one of its two sides, and, if that returns
+  /// false, for the one nearest to the other. Ascending; not where no set will do. Whether `use`
+  /// returned true; nothing where the reach is too short.
+  std::optional<bool> thin(const MembraneQuery& query, const MembraneSearch& search,
+                           const std::function<bool(const std::vector<std::uint32_t>&)>& use);
 
   /// The set, and what it cuts off on this side: parts beside it of at most `most` vertices that
   /// reach nothing else, without the largest where there is no larger part. Ascending. Parts with

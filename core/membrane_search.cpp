@@ -271,7 +271,8 @@ std::vector<std::vector<std::uint32_t>> MembraneFinder::Search::islands() const 
 }
 
 /// `turned`: bit i swaps the sides of group i + 1 of the rest's parts.
-std::optional<std::vector<std::uint32_t>> MembraneFinder::Search::cut(unsigned turned) {
+std::optional<std::vector<std::uint32_t>> MembraneFinder::Search::cut(unsigned turned,
+                                                                      bool from_far_side) {
   CutNetwork network;
   std::vector<std::uint32_t> vertex_of(2, none);  // by node of the network
   std::vector<std::uint32_t> number(nodes.size(), none);
@@ -313,7 +314,7 @@ std::optional<std::vector<std::uint32_t>> MembraneFinder::Search::cut(unsigned t
       const auto group = std::find(groups.begin(), groups.end(), parts[part].group);
       const auto rank = static_cast<std::size_t>(group - groups.begin());
       const bool is_turned = rank > 0 && rank <= most_turns && (turned >> (rank - 1) & 1U) != 0;
-      if (is_second(meeting) ^ parts[part].turned ^ is_turned ^ search.from_far_side)
+      if (is_second(meeting) ^ parts[part].turned ^ is_turned ^ from_far_side)
         behind = CutNetwork::sink;
     }
     const auto [copy, is_new] = copies.try_emplace({meeting.vertex, behind}, none);
@@ -333,12 +334,11 @@ std::optional<std::vector<std::uint32_t>> MembraneFinder::Search::cut(unsigned t
   return vertices;
 }
 
-std::optional<std::vector<std::uint32_t>> MembraneFinder::Search::best_cut() {
-  group_parts();
+std::optional<std::vector<std::uint32_t>> MembraneFinder::Search::best_cut(bool from_far_side) {
   const std::size_t turns = std::min(groups.size() - 1, most_turns);
   std::optional<std::vector<std::uint32_t>> best;
   for (unsigned turned = 0; turned < 1U << turns; ++turned) {
-    auto found = cut(turned);
+    auto found = cut(turned, from_far_side);
     if (found && (!best || found->size() < best->size())) best = std::move(found);
   }
   return best;

@@ -134,8 +134,8 @@ struct MembraneFinder::Search {
   bool is_second(const Meeting& meeting);
   std::uint32_t part_at(const Meeting& meeting);
   void group_parts();
-  std::optional<std::vector<std::uint32_t>> cut(unsigned turned);
-  std::optional<std::vector<std::uint32_t>> best_cut();
+  std::optional<std::vector<std::uint32_t>> cut(unsigned turned, bool from_far_side);
+  std::optional<std::vector<std::uint32_t>> best_cut(bool from_far_side);
 
   MembraneFinder& finder;
   const MembraneQuery& query;
