@@ -12,8 +12,8 @@
 #include <gtest/gtest.h>
 #include <tbb/parallel_for.h>
 
-#include "core/loop_remover.h"
 #include "core/repair.h"
+#include "core/repair_round.h"
 #include "tests/random_volumes.h"
 #include "volume/read.h"
 #include "volume/shapes.h"
@@ -72,26 +72,26 @@ std::vector<double> remove_each(const AnyGridView& grid, const IsoLevel& level,
   VoxelValues values(grid);
   const Workings workings = work_out_loops(grid, level);
   const Analysis& analysis = workings.analysis;
-  LoopRemover remover(workings, level, values);
   std::vector<double> ratios;
   int across = 0;
-  for (const Loop& loop : analysis.loops) {
-    const auto change = remover.propose(site_of(workings, loop));
-    if (!change) {  // no disc spans it: removed by a loop across
-      ++across;
-      const Repair repair = repair_loops(grid, level, {.loops = {{loop.kind, loop.id}}});
-      EXPECT_EQ(repair.after.surface.genus(), analysis.surface.genus() - 1) << name;
-      EXPECT_NE(repair.removals.at(0).by.kind, loop.kind) << name;
+  for (std::size_t i = 0; i < analysis.loops.size(); ++i) {
+    const Loop& loop = analysis.loops[i];
+    RepairRound round(workings, level, values, 1);
+    if (!round.remove(round.all()[i], false)) {
+      ADD_FAILURE() << name << ": " << name_of(loop.kind) << " " << loop.id;
       continue;
     }
-    for (const VoxelChange& voxel : *change) values.set(voxel.voxel, voxel.after);
+    const Done done = round.finish().done.at(0);
     const Analysis after = count_topology(values.view(), level);
-    for (const VoxelChange& voxel : *change) values.set(voxel.voxel, voxel.before);
+    for (const VoxelChange& voxel : done.changes) values.set(voxel.voxel, voxel.before);
     EXPECT_EQ(after.surface.genus(), analysis.surface.genus() - 1) << name << loop.id;
     EXPECT_EQ(after.betti.b0, analysis.betti.b0) << name << loop.id;
     EXPECT_EQ(after.betti.b2, analysis.betti.b2) << name << loop.id;
-    if (loop.kind == LoopKind::tunnel)
-      ratios.push_back(static_cast<double>(change->size()) / cross_section(analysis.surface, loop));
+    if (done.removal.by.kind != loop.kind)
+      ++across;
+    else if (loop.kind == LoopKind::tunnel)
+      ratios.push_back(static_cast<double>(done.changes.size()) /
+                       cross_section(analysis.surface, loop));
   }
   std::sort(ratios.begin(), ratios.end());
   std::printf(
