@@ -37,12 +37,8 @@ class DisjointSets {
   }
 
   /// Makes root() valid for all members, until the next union; linear, one pass.
-  void flatten() { flatten(0, member_count()); }
-
-  /// The same for members from `begin` to `end`, none of which is in a set with others.
-  void flatten(std::uint32_t begin, std::uint32_t end) {
-    for (std::uint32_t member = begin; member < end; ++member)
-      parent_[member] = parent_[parent_[member]];  // parents come first
+  void flatten() {
+    for (std::uint32_t& parent : parent_) parent = parent_[parent];  // parents come first
   }
 
   /// The number of each member's set, 0, 1, … by least member, for the sets with a root in `roots`;
@@ -59,7 +55,8 @@ class DisjointSets {
     return std::move(parent_);
   }
 
-  /// find() after flatten(); may be called from many threads.
+  /// find() after flatten(), or where each member was united with its root itself; may be called
+  /// from many threads.
   std::uint32_t root(std::uint32_t member) const { return parent_[member]; }
 
   std::uint32_t member_count() const { return static_cast<std::uint32_t>(parent_.size()); }

@@ -9,6 +9,7 @@
 
 #include <boost/sort/spreadsort/integer_sort.hpp>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include "core/bit_set.h"
 #include "core/complex.h"
@@ -20,7 +21,7 @@ namespace isoloop {
 /// Kruskal's walk through the pieces of some layers of cells, and what of it holds for the whole
 /// complex. A piece that closes a cycle of larger ones is in no largest forest; one that is the
 /// largest on the border of a tree is in it. Whether it is can be told here unless both trees that
-/// it joins are bound: have a larger piece on their border that leads out of these layers.
+/// it joins are bound: may have a larger piece on their border, one that leads out of these layers.
 template <Complex C>
 class ForestOfLayers {
  public:
@@ -45,7 +46,10 @@ class ForestOfLayers {
     const std::uint32_t end = std::min(end_ + 1, complex_.layer_count() - 1);
     for (std::uint32_t layer = begin_; layer < end; ++layer)
       complex_.for_each_piece(layer, [&](std::uint32_t piece) {
-        if (layer == end_) end_of_own_ = std::min(end_of_own_, piece);
+        if (layer == end_) {
+          end_of_own_ = std::min(end_of_own_, piece);
+          if (!touches(piece)) return;
+        }
         if (const float size = complex_.size(piece); size > 0.0F)
           sized.push_back(order_key(size, piece));
         else
@@ -57,6 +61,7 @@ class ForestOfLayers {
       take(static_cast<std::uint32_t>(sized[i]), forest, open);
     for (std::size_t i = unsized.size(); i-- > 0;) take(unsized[i], forest, open);
     open.shrink_to_fit();
+    // Ascending, so that each cell hangs on its tree's least one itself: root() holds.
     for (std::uint32_t cell = first_; cell < last_; ++cell)
       trees.unite(cell, last_ - 1 - trees_.find(local(cell)));
     return open;
@@ -65,7 +70,13 @@ class ForestOfLayers {
  private:
   bool is_local(std::uint32_t cell) const { return cell - first_ < last_ - first_; }
 
-  /// Backwards, as most pieces are met: the roots of sets are their least members, and stay so.
+  bool touches(std::uint32_t piece) const {
+    const auto [a, b] = complex_.cells(piece);
+    return is_local(a) || is_local(b);
+  }
+
+  /// Backwards: of equal sizes the greatest numbers are met first, so that the root of a set, its
+  /// least member, seldom changes.
   std::uint32_t local(std::uint32_t cell) const { return last_ - 1 - cell; }
 
   /// To be called with the largest piece first.
@@ -148,10 +159,14 @@ void join_trees(const C& complex, const std::vector<std::uint32_t>& tree_of_cell
 /// Milkova, Nesetrilova, Discrete Mathematics 233, 2001).
 template <Complex C>
 BitSet largest_forest(const C& complex) {
-  constexpr std::uint32_t slab = 8;  // layers
+  constexpr std::uint32_t largest_slab = 8;  // layers
+  // A slab at hand takes up to 60 bytes a cell: no more than a sixth of all cells at a time.
+  constexpr std::uint32_t share = 6;
+  const std::uint32_t layers = complex.layer_count();
+  const auto threads = static_cast<std::uint32_t>(tbb::this_task_arena::max_concurrency());
+  const std::uint32_t slab = std::clamp(layers / (share * threads), 1U, largest_slab);
   BitSet forest(complex.piece_bound());
   DisjointSets cells(complex.cell_bound());
-  const std::uint32_t layers = complex.layer_count();
   BitSet is_bound(complex.cell_bound());
   const std::uint32_t slabs = (layers - 1 + slab - 1) / slab;
   std::vector<std::vector<std::uint32_t>> open(slabs + 1);
