@@ -13,7 +13,7 @@ namespace isoloop {
 
 /// Keys that are not negative, with a value each; of equal keys the lesser value comes first. Lies
 /// in buckets (Dial, Communications of the ACM 12, 1969), of which only the one that is being
-/// emptied is kept sorted.
+/// emptied is kept sorted, the least last.
 class BucketQueue {
  public:
   struct Item {
@@ -38,12 +38,10 @@ class BucketQueue {
     const std::uint64_t item = std::uint64_t{std::bit_cast<std::uint32_t>(key)} << 32 | value;
     const auto number = static_cast<std::uint64_t>(key * per_bucket_);
     auto& bucket = buckets_[number % bucket_count];
-    bucket.push_back(item);
-    if (number == current_) {
-      const auto last = bucket.end() - 1;
-      const auto at = std::upper_bound(bucket.begin(), last, item, std::greater<>{});
-      std::rotate(at, last, bucket.end());
-    }
+    if (number == current_)
+      bucket.insert(std::upper_bound(bucket.begin(), bucket.end(), item, std::greater<>{}), item);
+    else
+      bucket.push_back(item);
     ++size_;
   }
 

@@ -134,22 +134,22 @@ std::optional<std::vector<VoxelChange>> LoopRemover::thin_change(
   std::optional<std::vector<VoxelChange>> change;
   std::set<std::vector<std::uint32_t>> tried;
   std::size_t spent = 0;
-  const auto passes = [&](const std::vector<std::uint32_t>& thin) {
-    if (spent > patience || !tried.insert(thin).second) return false;
+  const auto is_done = [&](const std::vector<std::uint32_t>& thin) {
+    if (!tried.insert(thin).second) return false;
     spent += thin.size();
     change = passing(side, thin);
-    if (change) return true;
-    const auto more = finder(side).with_severed(query, thin, thin.size() + few);
-    if (more.size() > thin.size()) change = passing(side, more);
-    return change.has_value();
+    if (!change) {
+      const auto more = finder(side).with_severed(query, thin, thin.size() + few);
+      if (tried.insert(more).second) change = passing(side, more);
+    }
+    return change || spent > patience;
   };
   for (const bool clear_islands : {false, true}) {
     std::vector<std::uint32_t> sufficient;
     for (const std::uint32_t reach : reaches) {
-      if (spent > patience) return std::nullopt;
-      const auto has_passed = finder(side).thin(query, {reach, clear_islands}, passes);
-      if (!has_passed) continue;
-      if (*has_passed) return change;
+      const auto is_found = finder(side).thin(query, {reach, clear_islands}, is_done);
+      if (!is_found) continue;
+      if (*is_found) return change;
       sufficient.push_back(reach);
     }
     reaches = std::move(sufficient);

@@ -52,7 +52,7 @@ std::optional<bool> MembraneFinder::thin(
 }
 
 /// What `start` reaches without meeting vertices seen in round `first_round`; empty if that is more
-/// than `most` vertices, or was reached in a later round.
+/// than `most` vertices, leads out of the box, or meets what a round since then did not finish.
 std::vector<std::uint32_t> MembraneFinder::part_beside(const MembraneQuery& query,
                                                        std::uint32_t start,
                                                        std::uint32_t first_round,

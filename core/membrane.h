@@ -43,15 +43,16 @@ class MembraneFinder {
   /// Keeps references: all must outlive it.
   MembraneFinder(const Sides& sides, const GridComplex& complex, const DualPass& pass);
 
-  /// Calls use(set) for the least set nearest to the one of its two sides, and, if that returns
-  /// false, for the one nearest to the other. Ascending; not where no set will do. Whether `use`
-  /// returned true; nothing where the reach is too short.
+  /// Passes use() the least set that is nearest to one of its two sides, then, unless that returned
+  /// true, the one nearest to the other; each ascending, and left out where no set will do. Whether
+  /// use() returned true; nothing where there is no membrane within reach. use() may call
+  /// with_severed(), not thin().
   std::optional<bool> thin(const MembraneQuery& query, const MembraneSearch& search,
                            const std::function<bool(const std::vector<std::uint32_t>&)>& use);
 
-  /// The set, and what it cuts off on this side: parts beside it of at most `most` vertices that
-  /// reach nothing else, without the largest where there is no larger part. Ascending. Parts with
-  /// fixed vertices are left out.
+  /// The set, and the parts of this side that it cuts off: those beside it of at most `most`
+  /// vertices. Where every part is that small the largest stays. Parts with fixed vertices stay.
+  /// Ascending.
   std::vector<std::uint32_t> with_severed(const MembraneQuery& query,
                                           const std::vector<std::uint32_t>& set, std::size_t most);
 

@@ -28,10 +28,10 @@ isoloop_add_tests(isoloop_core_tests
     core_loop_matching_test.cpp
     core_loop_search_test.cpp
     core_loops_test.cpp
-    core_order_test.cpp
     core_membrane_test.cpp
     core_memory_budget_test.cpp
     core_open_boundary_test.cpp
+    core_order_test.cpp
     core_pair_loops_test.cpp
     core_pair_test.cpp
     core_repair_test.cpp
