@@ -15,8 +15,10 @@ namespace isoloop {
 namespace {
 
 constexpr int value_styles = 3;
-constexpr std::size_t few = 27;         // voxels that a cut may sever, besides as many as its own
-constexpr std::size_t patience = 6000;  // voxels of the sets that may fail before the last resort
+constexpr double next_to_iso = 0.01;     // of the distance that is usual
+constexpr std::size_t most_nudged = 24;  // voxels beside a loop
+constexpr std::size_t few = 27;          // voxels that a cut may sever, besides as many as its own
+constexpr std::size_t patience = 6000;   // voxels of the sets that may fail before the last resort
 
 }  // namespace
 
@@ -101,6 +103,10 @@ double LoopRemover::magnitude_of(std::size_t voxel) const {
   return std::abs(level_of(values_.at(voxel), level_));
 }
 
+bool LoopRemover::is_inside(std::size_t voxel) const {
+  return level_of(values_.at(voxel), level_) >= 0.0;
+}
+
 std::optional<std::vector<VoxelChange>> LoopRemover::propose(const LoopSite& loop) {
   if (loop.spans_components) return std::nullopt;
   const Side side = side_of(loop.kind);
@@ -111,7 +117,7 @@ std::optional<std::vector<VoxelChange>> LoopRemover::propose(const LoopSite& loo
     if (auto change = passing(side, spanned)) return change;
     spanned = dilated(side, spanned);
   }
-  return std::nullopt;
+  return nudge(loop);
 }
 
 /// How far to look for membranes from a loop of that length, in the order to be tried.
@@ -188,14 +194,13 @@ std::optional<std::vector<VoxelChange>> LoopRemover::passing(
   return std::nullopt;
 }
 
-/// Values on the other side. Style 0: mirrored about iso, but no farther off than is usual for the
-/// other side's voxels near by; 1: as far off as any voxel near by; 2: next to iso.
-std::optional<std::vector<VoxelChange>> LoopRemover::values_for(
-    Side side, const std::vector<std::uint32_t>& vertices, int style) const {
+/// How far from iso voxels within one step of the vertices lie.
+LoopRemover::Magnitudes LoopRemover::magnitudes_near(
+    Side side, std::span<const std::uint32_t> vertices) const {
   const Lattice& lattice = workings_.sides->lattice;
   const Index3& dims = values_.dims();
-  std::vector<double> beyond;  // magnitudes on the other side
-  double most = 0.0;
+  std::vector<double> beyond;  // on the other side
+  Magnitudes near;
   for (const std::uint32_t vertex : vertices) {
     const auto p = lattice.position(vertex);
     for (int n = 0; n < 27; ++n) {
@@ -204,27 +209,57 @@ std::optional<std::vector<VoxelChange>> LoopRemover::values_for(
       if (q[0] < 0 || q[1] < 0 || q[2] < 0 || q[0] >= dims[0] || q[1] >= dims[1] || q[2] >= dims[2])
         continue;
       const auto voxel = static_cast<std::size_t>(q[0] + dims[0] * (q[1] + dims[1] * q[2]));
-      const double value_level = level_of(values_.at(voxel), level_);
-      most = std::max(most, std::abs(value_level));
-      if ((value_level >= 0.0) != (side == Side::inside)) beyond.push_back(std::abs(value_level));
+      near.most = std::max(near.most, magnitude_of(voxel));
+      if (is_inside(voxel) != (side == Side::inside)) beyond.push_back(magnitude_of(voxel));
     }
   }
-  double usual = most;
+  near.usual_beyond = near.most;
   if (!beyond.empty()) {
     const auto middle = beyond.begin() + static_cast<std::ptrdiff_t>(beyond.size() / 2);
     std::nth_element(beyond.begin(), middle, beyond.end());
-    usual = *middle;
+    near.usual_beyond = *middle;
   }
+  return near;
+}
+
+/// Values on the other side. Style 0: mirrored about iso, but no farther off than is usual for the
+/// other side's voxels near by; 1: as far off as any voxel near by; 2: next to iso.
+std::optional<std::vector<VoxelChange>> LoopRemover::values_for(
+    Side side, const std::vector<std::uint32_t>& vertices, int style) const {
+  const auto [most, usual] = magnitudes_near(side, vertices);
   std::vector<VoxelChange> change;
   for (const std::uint32_t vertex : vertices) {
     const std::size_t voxel = voxel_of(vertex);
     const double mirrored = std::clamp(magnitude_of(voxel), 0.1 * usual, usual);
-    const double magnitude = style == 0 ? mirrored : style == 1 ? most : 0.01 * usual;
+    const double magnitude = style == 0 ? mirrored : style == 1 ? most : next_to_iso * usual;
     const auto after = values_.nearest(magnitude, side == Side::outside, level_);
     if (!after) return std::nullopt;
     change.push_back({voxel, values_.at(voxel), *after});
   }
   return change;
+}
+
+/// One voxel beside the loop stays on its side, but next to iso, or as far off as any near by.
+/// Where M runs through a cube in several sheets, that decides how they join.
+std::optional<std::vector<VoxelChange>> LoopRemover::nudge(const LoopSite& loop) {
+  std::vector<std::uint32_t> beside;
+  for (const std::uint32_t edge : loop.edges)
+    for (const std::uint32_t end : {edge / 3, edge / 3 + workings_.sides->lattice.stride[edge % 3]})
+      if (!fixed_[end]) beside.push_back(end);
+  std::sort(beside.begin(), beside.end());
+  beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
+  if (beside.size() > most_nudged) return std::nullopt;
+  for (const std::uint32_t vertex : beside) {
+    const std::size_t voxel = voxel_of(vertex);
+    const double most = magnitudes_near(side_of(loop.kind), {&vertex, 1}).most;
+    for (const double magnitude : {next_to_iso * magnitude_of(voxel), most}) {
+      const auto after = values_.nearest(magnitude, is_inside(voxel), level_);
+      if (!after || *after == values_.at(voxel)) continue;
+      std::vector<VoxelChange> change{{voxel, values_.at(voxel), *after}};
+      if (removes_one(change)) return change;
+    }
+  }
+  return std::nullopt;
 }
 
 bool LoopRemover::removes_one(const std::vector<VoxelChange>& change) {
@@ -237,8 +272,10 @@ bool LoopRemover::removes_one(const std::vector<VoxelChange>& change) {
 
 void LoopRemover::apply(const std::vector<VoxelChange>& change) {
   for (const VoxelChange& voxel : change) {
+    const bool was_inside = is_inside(voxel.voxel);
     values_.set(voxel.voxel, voxel.after);
-    changed_[vertex_of(voxel.voxel, values_.dims(), workings_.sides->lattice)] = true;
+    if (is_inside(voxel.voxel) != was_inside)
+      changed_[vertex_of(voxel.voxel, values_.dims(), workings_.sides->lattice)] = true;
   }
   --genus_;
 }

@@ -72,16 +72,23 @@ class LoopRemover {
   std::optional<std::vector<VoxelChange>> values_for(Side side,
                                                      const std::vector<std::uint32_t>& vertices,
                                                      int style) const;
+  std::optional<std::vector<VoxelChange>> nudge(const LoopSite& loop);
+  struct Magnitudes {
+    double most = 0.0;
+    double usual_beyond = 0.0;  // on the other side; `most` where none is near
+  };
+  Magnitudes magnitudes_near(Side side, std::span<const std::uint32_t> vertices) const;
   bool removes_one(const std::vector<VoxelChange>& change);
   std::size_t voxel_of(std::uint32_t vertex) const;
-  double magnitude_of(std::size_t voxel) const;
+  double magnitude_of(std::size_t voxel) const;  // distance from iso; unit of the values
+  bool is_inside(std::size_t voxel) const;
 
   const Workings& workings_;
   IsoLevel level_;
   VoxelValues& values_;
   std::int64_t genus_;
   Betti betti_;
-  std::vector<bool> changed_;  // by lattice vertex: by apply()
+  std::vector<bool> changed_;  // by lattice vertex: to the other side, by apply()
   std::vector<bool> fixed_;    // by lattice vertex: no voxel of the grid
   std::optional<MembraneFinder> inside_;
   std::optional<MembraneFinder> outside_;
