@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/command_line_fixture.h"
+#include "tests/real_data.h"
 
 namespace isoloop {
 namespace {
@@ -27,10 +28,9 @@ TEST_F(CommandLine, TopologySaysWhetherATunnelWithinACubeJoinsItsCorners) {
 }
 
 TEST_F(CommandLine, FindsTheLoopsOfARealEngine) {
-  const std::filesystem::path file =
-      std::filesystem::path(ISOLOOP_TEST_DATA) / "volumes/engine_half_128x128x64_uint8.raw";
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << "needs " << file;
-  const ProcessResult result = run({"loops", file.string(), "--iso", "70", "--json", "-"});
+  const std::string name = "volumes/engine_half_128x128x64_uint8.raw";
+  ISOLOOP_NEEDS(name);
+  const ProcessResult result = run({"loops", testing::data(name), "--iso", "70", "--json", "-"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const Json json = Json::parse(result.out);
   EXPECT_EQ(json.at("betti"), Json({{"b0", 1}, {"b1", 20}, {"b2", 0}}));

@@ -1,5 +1,3 @@
-#include <fstream>
-#include <iterator>
 #include <mutex>
 #include <set>
 #include <string>
@@ -11,6 +9,7 @@
 #include "core/analysis.h"
 #include "core/errors.h"
 #include "tests/random_volumes.h"
+#include "tests/real_data.h"
 
 namespace isoloop {
 namespace {
@@ -131,11 +130,8 @@ class RealVolume : public ::testing::TestWithParam<KnownVolume> {};
 
 TEST_P(RealVolume, HasTheIndependentCount) {
   const KnownVolume& known = GetParam();
-  const std::string path = std::string(ISOLOOP_TEST_DATA) + "/volumes/" + known.file;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) GTEST_SKIP() << path << " is missing";
-  const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
-  const std::vector<std::uint8_t> values(bytes.begin(), bytes.end());
+  ISOLOOP_NEEDS("volumes/" + known.file);
+  const std::vector<std::uint8_t> values = testing::bytes_of("volumes/" + known.file);
   for (const Topology topology : known.topologies) {
     const Analysis analysis = count_topology(GridView<std::uint8_t>{values, known.dims, {1, 1, 1}},
                                              IsoLevel{known.iso, InsideRule::above, topology});

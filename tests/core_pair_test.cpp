@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <fstream>
+#include <cstdint>
 #include <map>
 #include <set>
 #include <string>
@@ -15,6 +15,7 @@
 #include "tests/explicit_complex.h"
 #include "tests/literal_pair.h"
 #include "tests/pair_comparison.h"
+#include "tests/real_data.h"
 
 namespace isoloop {
 namespace {
@@ -74,13 +75,10 @@ TEST_P(PairOnRealVolume, FindsTheKillingPiecesOfTheDualPass) {
   const auto& [name, dims, iso, genus] = GetParam();
   const std::string extents =
       std::to_string(dims[0]) + "x" + std::to_string(dims[1]) + "x" + std::to_string(dims[2]);
-  const std::string path =
-      std::string(ISOLOOP_TEST_DATA) + "/volumes/" + name + "_" + extents + "_uint8.raw";
-  std::ifstream file(path, std::ios::binary);
-  if (!file) GTEST_SKIP() << "needs " << path;
+  const std::string file = std::string("volumes/") + name + "_" + extents + "_uint8.raw";
+  ISOLOOP_NEEDS(file);
   SmallVolume volume{{}, dims};
-  for (char byte = 0; file.get(byte);)
-    volume.values.push_back(static_cast<unsigned char>(byte) - iso);
+  for (const std::uint8_t value : testing::bytes_of(file)) volume.values.push_back(value - iso);
   const Prepared prepared(volume, GeodesicMode::hierarchy);
   std::int64_t compared = 0;
   EXPECT_EQ(testing::difference_of_engines(prepared, compared), "");

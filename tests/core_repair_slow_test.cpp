@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -15,6 +14,7 @@
 #include "core/repair.h"
 #include "core/repair_round.h"
 #include "tests/random_volumes.h"
+#include "tests/real_data.h"
 #include "volume/read.h"
 #include "volume/shapes.h"
 
@@ -111,17 +111,15 @@ TEST(RepairSlow, RemovesEveryLoopOfEveryShape) {
 }
 
 struct RealVolume {
-  const char* file;
+  std::string file;
   double iso;
 };
 
 class RealVolumes : public ::testing::TestWithParam<RealVolume> {};
 
 TEST_P(RealVolumes, LoseEveryLoopOneByOne) {
-  const std::filesystem::path path =
-      std::filesystem::path(ISOLOOP_TEST_DATA) / "volumes" / GetParam().file;
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << GetParam().file << " is missing";
-  const Volume volume = read_volume(path);
+  ISOLOOP_NEEDS("volumes/" + GetParam().file);
+  const Volume volume = read_volume(testing::data("volumes/" + GetParam().file));
   const auto ratios = remove_each(view(volume), {GetParam().iso}, GetParam().file);
   if (!ratios.empty()) {
     EXPECT_LE(ratios[ratios.size() / 2], 3.0);
@@ -133,13 +131,13 @@ INSTANTIATE_TEST_SUITE_P(RepairSlow, RealVolumes,
                                            RealVolume{"silicium_98x34x34_uint8.raw", 85},
                                            RealVolume{"hydrogen_128x128x128_uint8.raw", 15},
                                            RealVolume{"engine_256x256x128_uint8.raw", 70},
-                                           RealVolume{"aneurism_256x256x256_uint8.raw", 100}));
+                                           RealVolume{"aneurism_256x256x256_uint8.raw", 100}),
+                         [](const auto& tested) { return testing::short_name(tested.param.file); });
 
 TEST(RepairSlow, FillsExactlyTheShortTunnelsOfEngine) {
-  const std::filesystem::path path =
-      std::filesystem::path(ISOLOOP_TEST_DATA) / "volumes" / "engine_256x256x128_uint8.raw";
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << "engine_256x256x128_uint8.raw is missing";
-  const Volume volume = read_volume(path);
+  const std::string name = "volumes/engine_256x256x128_uint8.raw";
+  ISOLOOP_NEEDS(name);
+  const Volume volume = read_volume(testing::data(name));
   const Repair repair = repair_loops(view(volume), {70}, {.fill_tunnels = 30.0});
   const auto tunnels = [](const Analysis& analysis, double below) {
     return std::count_if(analysis.loops.begin(), analysis.loops.end(), [&](const Loop& loop) {

@@ -1,10 +1,6 @@
-#include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <limits>
 #include <random>
 #include <set>
@@ -18,6 +14,7 @@
 #include "core/errors.h"
 #include "core/scan.h"
 #include "tests/random_volumes.h"
+#include "tests/real_data.h"
 #include "tests/scan_comparison.h"
 
 namespace isoloop {
@@ -148,13 +145,8 @@ class ScanOfRealVolumes : public ::testing::TestWithParam<RealVolume> {};
 
 TEST_P(ScanOfRealVolumes, EqualsCount) {
   const RealVolume& real = GetParam();
-  const auto path = std::filesystem::path(ISOLOOP_TEST_DATA) / "volumes" / real.name;
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << "needs " << path;
-  std::ifstream file(path, std::ios::binary);
-  const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
-  std::vector<std::uint8_t> voxels(bytes.size());
-  std::transform(bytes.begin(), bytes.end(), voxels.begin(),
-                 [](char c) { return static_cast<std::uint8_t>(c); });
+  ISOLOOP_NEEDS("volumes/" + real.name);
+  const std::vector<std::uint8_t> voxels = testing::bytes_of("volumes/" + real.name);
   const GridView<std::uint8_t> grid{voxels, real.dims, {1, 1, 1}};
   EXPECT_EQ(differences(grid, real.isos, InsideRule::above, Topology::trilinear),
             std::vector<double>());
@@ -174,7 +166,8 @@ INSTANTIATE_TEST_SUITE_P(
         RealVolume{"fuel_64x64x64_uint8.raw", {64, 64, 64}, every(3)},
         RealVolume{"silicium_98x34x34_uint8.raw", {98, 34, 34}, every(3)},
         RealVolume{"engine_256x256x128_uint8.raw", {256, 256, 128}, {60, 70, 80, 100, 180.5}},
-        RealVolume{"aneurism_256x256x256_uint8.raw", {256, 256, 256}, {51, 100, 200}}));
+        RealVolume{"aneurism_256x256x256_uint8.raw", {256, 256, 256}, {51, 100, 200}}),
+    [](const auto& tested) { return testing::short_name(tested.param.name); });
 
 }  // namespace
 }  // namespace isoloop

@@ -52,7 +52,11 @@ TEST_P(GaussianFields, BoundSolidsOfTheRefinedEulerCharacteristic) {
 INSTANTIATE_TEST_SUITE_P(TopologySlow, GaussianFields,
                          ::testing::Values(FieldKind{64, 1.0}, FieldKind{64, 2.0},
                                            FieldKind{64, 4.0}, FieldKind{128, 1.0},
-                                           FieldKind{128, 2.0}, FieldKind{128, 4.0}));
+                                           FieldKind{128, 2.0}, FieldKind{128, 4.0}),
+                         [](const auto& tested) {
+                           return std::to_string(tested.param.size) + "Sigma" +
+                                  std::to_string(static_cast<int>(tested.param.sigma));
+                         });
 
 }  // namespace
 }  // namespace isoloop

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
+#include "tests/real_data.h"
 #include "tests/run_process.h"
 #include "tests/scratch_directory.h"
 
@@ -16,11 +17,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Words = std::vector<std::string>;
 
-std::string data(const std::string& name) {
-  return (std::filesystem::path(ISOLOOP_TEST_DATA) / name).string();
-}
+using testing::data;
 
-class InputFormats : public testing::Test {
+class InputFormats : public ::testing::Test {
  protected:
   Json json_of(Words arguments) const {
     arguments.insert(arguments.end(), {"--json", "-"});
@@ -58,7 +57,7 @@ void expect_same_loops(const Json& a, const Json& b) {
 }
 
 TEST_F(InputFormats, OneImageInTwoFormatsHasTheSameLoopsInTheSameWorld) {
-  if (!std::filesystem::exists(data("formats/FLAIR.nrrd"))) GTEST_SKIP() << "FLAIR is missing";
+  ISOLOOP_NEEDS("formats/FLAIR.nrrd");
   const Words flags{"--iso", "150", "--world", "ras", "--tighten", "none"};
   Words nifti{"loops", data("formats/FLAIR.nii.gz")};
   Words nrrd{"loops", data("formats/FLAIR.nrrd")};
@@ -70,7 +69,7 @@ TEST_F(InputFormats, OneImageInTwoFormatsHasTheSameLoopsInTheSameWorld) {
 }
 
 TEST_F(InputFormats, OneImageInThreeFormatsHasTheSameLoopsInTheSameWorld) {
-  if (!std::filesystem::exists(data("formats/ormir_test_mha.mha"))) GTEST_SKIP() << "is missing";
+  ISOLOOP_NEEDS("formats/ormir_test_mha.mha");
   std::vector<Json> all;
   for (const char* name : {"ormir_test_mha.mha", "ormir_test_nii.nii", "ormir_test_nrrd.nrrd"}) {
     all.push_back(
@@ -81,15 +80,15 @@ TEST_F(InputFormats, OneImageInThreeFormatsHasTheSameLoopsInTheSameWorld) {
 }
 
 TEST_F(InputFormats, TheAtomIsTheSameAsMetaImageAndRaw) {
+  ISOLOOP_NEEDS("volumes/hydrogen_128x128x128_uint8.raw");
   const std::string raw = data("volumes/hydrogen_128x128x128_uint8.raw");
-  if (!std::filesystem::exists(raw)) GTEST_SKIP() << raw << " is missing";
   Json meta = json_of({"loops", data("formats/hydrogenAtom.mha"), "--iso", "15"});
   meta["conventions"]["coordinates"]["frame"] = "index";
   expect_same_loops(meta, json_of({"loops", raw, "--iso", "15"}));
 }
 
 TEST_F(InputFormats, EveryFileOfTheDataFolderIsReadOrRefusedWithItsReason) {
-  if (!std::filesystem::exists(data("formats"))) GTEST_SKIP() << "formats is missing";
+  ISOLOOP_NEEDS("formats");
   int read = 0;
   for (const auto& entry : std::filesystem::directory_iterator(data("formats"))) {
     const std::string name = entry.path().filename().string();

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/real_data.h"
 #include "tests/run_process.h"
 #include "tests/scratch_directory.h"
 
@@ -109,10 +110,9 @@ TEST(Readme, CommandsOnTheEnginePrintWhatIsShown) {
   GTEST_SKIP() << "minutes under AddressSanitizer";
 #endif
   const std::string name = "engine_256x256x128_uint8.raw";
-  const fs::path file = fs::path(ISOLOOP_TEST_DATA) / "volumes" / name;
-  if (!fs::exists(file)) GTEST_SKIP() << "needs " << file;
+  ISOLOOP_NEEDS("volumes/" + name);
   const ScratchDirectory scratch;
-  fs::create_symlink(fs::absolute(file), scratch.path() / name);
+  fs::create_symlink(fs::absolute(testing::data("volumes/" + name)), scratch.path() / name);
   expect_examples_to_hold(name, scratch.path());
 }
 

@@ -19,7 +19,7 @@ using test::message_of;
 using test::TempFolder;
 using test::write_bytes;
 
-class Dicom : public testing::Test {
+class Dicom : public ::testing::Test {
  protected:
   void write(const std::string& name, const DicomSlice& slice) const {
     write_bytes(folder_ / name, slice.file());

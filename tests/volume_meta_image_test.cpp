@@ -21,7 +21,7 @@ using test::meta_image_packed;
 using test::TempFolder;
 using test::write_bytes;
 
-class MetaImage : public testing::Test {
+class MetaImage : public ::testing::Test {
  protected:
   Volume read(const std::string& bytes, const FormatOptions& options = {},
               const VoxelLimits& limits = {}) const {

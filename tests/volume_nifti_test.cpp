@@ -20,7 +20,7 @@ using test::NiftiSample;
 using test::TempFolder;
 using test::write_bytes;
 
-class Nifti : public testing::Test {
+class Nifti : public ::testing::Test {
  protected:
   Volume read(const std::string& bytes, const FormatOptions& options = {},
               const VoxelLimits& limits = {}) const {

@@ -23,7 +23,7 @@ std::string voxels(Endian endian) {
   return bytes;
 }
 
-class Npy : public testing::Test {
+class Npy : public ::testing::Test {
  protected:
   Volume read(const std::string& bytes, const FormatOptions& options = {},
               const VoxelLimits& limits = {}) const {

@@ -22,7 +22,7 @@ using test::nrrd_plain;
 using test::TempFolder;
 using test::write_bytes;
 
-class Nrrd : public testing::Test {
+class Nrrd : public ::testing::Test {
  protected:
   Volume read(const std::string& bytes, const FormatOptions& options = {},
               const VoxelLimits& limits = {}) const {

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/real_data.h"
+
 namespace isoloop::test {
 
 /// A new folder, removed with all it holds at the end.
@@ -62,15 +64,6 @@ inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-inline std::filesystem::path data(const std::string& name) {
-  return std::filesystem::path(ISOLOOP_TEST_DATA) / name;
-}
+using testing::data;
 
 }  // namespace isoloop::test
-
-/// Skips the test, naming the file, where the data folder does not hold it.
-#define ISOLOOP_NEEDS(name)                                     \
-  if (!std::filesystem::exists(isoloop::test::data(name))) {    \
-    GTEST_SKIP() << isoloop::test::data(name) << " is missing"; \
-  }                                                             \
-  static_assert(true)

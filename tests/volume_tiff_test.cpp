@@ -19,7 +19,7 @@ using test::TiffSample;
 using test::write_bytes;
 using test::write_tiff_page;
 
-class Tiff : public testing::Test {
+class Tiff : public ::testing::Test {
  protected:
   std::string bytes_of(const TiffSample& sample) const {
     return test::tiff_bytes(sample, folder_ / "written");

@@ -257,7 +257,7 @@ void expect_refusal_at_any_byte(std::uint32_t codec) {
   for (std::size_t first = 0; first < lengths.size(); first += at_a_time) {
     const auto some =
         std::span(lengths).subspan(first, std::min(at_a_time, lengths.size() - first));
-    EXPECT_EXIT(decode_beginnings(whole, some), testing::ExitedWithCode(0), "")
+    EXPECT_EXIT(decode_beginnings(whole, some), ::testing::ExitedWithCode(0), "")
         << "codec " << codec;
   }
 }

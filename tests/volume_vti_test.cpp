@@ -17,7 +17,7 @@ using test::TempFolder;
 using test::VtiSample;
 using test::write_bytes;
 
-class Vti : public testing::Test {
+class Vti : public ::testing::Test {
  protected:
   Volume read(const std::string& bytes, const FormatOptions& options = {},
               const VoxelLimits& limits = {}) const {
