@@ -15,6 +15,7 @@
 #include <tbb/task_arena.h>
 
 #include "core/errors.h"
+#include "core/thread_count.h"
 #include "core/triangle_fans.h"
 
 namespace isoloop {
@@ -301,7 +302,7 @@ int searches_at_once(std::uint64_t vertices, std::uint64_t max_bytes) {
   const std::uint64_t shared = (surface_share + fans_share) * vertices;
   const std::uint64_t one = search_share * vertices;
   check_memory("features", shared + one, max_bytes);
-  const auto threads = static_cast<std::uint64_t>(tbb::this_task_arena::max_concurrency());
+  const auto threads = static_cast<std::uint64_t>(thread_count());
   return static_cast<int>(std::min(threads, (max_bytes - shared) / one));
 }
 

@@ -9,12 +9,12 @@
 
 #include <boost/sort/spreadsort/integer_sort.hpp>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include "core/bit_set.h"
 #include "core/complex.h"
 #include "core/disjoint_sets.h"
 #include "core/order.h"
+#include "core/thread_count.h"
 
 namespace isoloop {
 
@@ -160,10 +160,11 @@ void join_trees(const C& complex, const std::vector<std::uint32_t>& tree_of_cell
 template <Complex C>
 BitSet largest_forest(const C& complex) {
   constexpr std::uint32_t largest_slab = 8;  // layers
-  // A slab at hand takes up to 60 bytes a cell: no more than a sixth of all cells at a time.
+  // A slab at hand takes up to 60 bytes a cell: no more than a sixth of all cells at a time, or a
+  // layer for each thread.
   constexpr std::uint32_t share = 6;
   const std::uint32_t layers = complex.layer_count();
-  const auto threads = static_cast<std::uint32_t>(tbb::this_task_arena::max_concurrency());
+  const auto threads = static_cast<std::uint32_t>(thread_count());
   const std::uint32_t slab = std::clamp(layers / (share * threads), 1U, largest_slab);
   BitSet forest(complex.piece_bound());
   DisjointSets cells(complex.cell_bound());
