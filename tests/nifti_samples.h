@@ -45,7 +45,8 @@ struct NiftiSample {
   }
   std::string voxels() const {
     std::int64_t count = 1;
-    for (int i = 1; i <= dim[0]; ++i) count *= dim[i];
+    for (std::size_t i = 1; i < dim.size(); ++i)
+      if (static_cast<std::int16_t>(i) <= dim[0]) count *= dim[i];
     std::string bytes;
     for (std::int64_t i = 0; i < count; ++i)
       bytes += number_bytes(static_cast<std::int16_t>(i), endian);

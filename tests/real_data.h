@@ -23,8 +23,10 @@ inline std::vector<std::uint8_t> bytes_of(const std::string& name) {
   return {bytes.begin(), bytes.end()};
 }
 
-/// "engine" of "engine_256x256x128_uint8.raw".
-inline std::string short_name(const std::string& file) { return file.substr(0, file.find('_')); }
+/// "engine_half" of "engine_half_128x128x64_uint8.raw".
+inline std::string short_name(const std::string& file) {
+  return file.substr(0, file.find_first_of("0123456789") - 1);
+}
 
 }  // namespace isoloop::testing
 
