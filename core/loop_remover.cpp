@@ -15,9 +15,9 @@ namespace isoloop {
 namespace {
 
 constexpr int value_styles = 3;
-constexpr double next_to_iso = 0.01;     // of the distance that is usual
+constexpr double next_to_iso = 0.01;     // of a distance from iso that is usual, or the voxel's
 constexpr std::size_t most_nudged = 24;  // voxels beside a loop
-constexpr std::size_t few = 27;          // voxels that a cut may sever, besides as many as its own
+constexpr std::size_t few = 27;          // voxels that each severed part may have more than the cut
 constexpr std::size_t patience = 6000;   // voxels of the sets that may fail before the last resort
 
 }  // namespace
@@ -126,9 +126,11 @@ std::vector<std::uint32_t> LoopRemover::reaches_for(double length) const {
   const double step = std::min({spacing[0], spacing[1], spacing[2]});
   // No point of a disc that spans a round loop is farther from it than this.
   const double round = length / (2.0 * std::numbers::pi * step);
+  const auto& dims = workings_.sides->lattice.dims;
+  const double farthest = static_cast<double>(dims[0]) + dims[1] + dims[2];
   std::vector<std::uint32_t> distinct;
   for (const double share : {1.0, 1.6, 0.6, 0.3}) {
-    const auto reach = static_cast<std::uint32_t>(std::ceil(share * round)) + 1;
+    const auto reach = static_cast<std::uint32_t>(std::ceil(std::min(share * round, farthest))) + 1;
     if (std::find(distinct.begin(), distinct.end(), reach) == distinct.end())
       distinct.push_back(reach);
   }
@@ -242,6 +244,9 @@ std::optional<std::vector<VoxelChange>> LoopRemover::values_for(
 /// One voxel beside the loop stays on its side, but next to iso, or as far off as any near by.
 /// Where M runs through a cube in several sheets, that decides how they join.
 std::optional<std::vector<VoxelChange>> LoopRemover::nudge(const LoopSite& loop) {
+  const bool values_decide =
+      level_.topology == Topology::trilinear || level_.topology == Topology::simple;
+  if (!values_decide) return std::nullopt;
   std::vector<std::uint32_t> beside;
   for (const std::uint32_t edge : loop.edges)
     for (const std::uint32_t end : {edge / 3, edge / 3 + workings_.sides->lattice.stride[edge % 3]})

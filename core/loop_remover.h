@@ -54,8 +54,8 @@ class LoopRemover {
 
   /// A change of few voxels that removes the loop: a thin membrane near it (MembraneFinder), tried
   /// in several places, with what it severs where that alone fails; else the surface that the
-  /// labels span across the handle or tunnel, to the letter, and dilated. Nothing if none of them
-  /// passes.
+  /// labels span across the handle or tunnel, to the letter, and dilated; else a voxel beside a
+  /// short loop that keeps its side. Nothing if none of them passes.
   std::optional<std::vector<VoxelChange>> propose(const LoopSite& loop);
 
   /// Makes a change that propose() gave, with no other change since.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -132,7 +133,6 @@ class Repairer {
       : level_(level),
         request_(request),
         options_(options),
-        original_(grid),
         values_(grid),
         now_(work_out_loops(grid, level, options)) {}
 
@@ -223,7 +223,8 @@ class Repairer {
   void accept(const Outcome& outcome, Workings next) {
     for (const Done& done : outcome.done) {
       repair_.removals.push_back(done.removal);
-      for (const VoxelChange& change : done.changes) touched_.push_back(change.voxel);
+      for (const VoxelChange& change : done.changes)
+        originals_.try_emplace(change.voxel, change.before);
     }
     ++repair_.rounds;
     now_ = std::move(next);
@@ -259,27 +260,26 @@ class Repairer {
   }
 
   void note_changes() {
-    std::sort(touched_.begin(), touched_.end());
-    touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
-    for (const std::size_t voxel : touched_) {
-      const VoxelChange change{voxel, original_.at(voxel), values_.at(voxel)};
-      if (change.before == change.after) continue;
-      const bool was_inside = level_of(change.before, level_) >= 0.0;
-      const bool is_inside = level_of(change.after, level_) >= 0.0;
-      if (was_inside != is_inside) ++(is_inside ? repair_.added_voxels : repair_.removed_voxels);
-      repair_.changes.push_back(change);
+    for (const auto& [voxel, before] : originals_) {
+      const double after = values_.at(voxel);
+      if (before == after) continue;
+      const bool was_inside = level_of(before, level_) >= 0.0;
+      const bool is_inside = level_of(after, level_) >= 0.0;
+      ++(was_inside == is_inside ? repair_.shifted_voxels
+         : is_inside             ? repair_.added_voxels
+                                 : repair_.removed_voxels);
+      repair_.changes.push_back({voxel, before, after});
     }
   }
 
   IsoLevel level_;
   const RepairRequest& request_;
   const AnalysisOptions& options_;
-  VoxelValues original_;
   VoxelValues values_;
   Workings now_;
-  std::vector<Target> named_;    // that are left
-  std::vector<Target> put_off_;  // their removal spoiled others
-  std::vector<std::size_t> touched_;
+  std::vector<Target> named_;                // that are left
+  std::vector<Target> put_off_;              // their removal spoiled others
+  std::map<std::size_t, double> originals_;  // values, of the voxels that removals changed
   Repair repair_;
 };
 

@@ -48,6 +48,7 @@ struct Repair {
   std::vector<VoxelChange> changes;  // by voxel; empty where nothing was to be done
   std::int64_t added_voxels = 0;     // now inside
   std::int64_t removed_voxels = 0;   // now outside
+  std::int64_t shifted_voxels = 0;   // of another value on the side that they were on
   int rounds = 0;                    // analyses that removed something
 };
 

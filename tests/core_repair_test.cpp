@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <tbb/task_arena.h>
 
 #include "core/errors.h"
 #include "core/repair.h"
@@ -99,7 +100,24 @@ TEST(Repair, TakesAwayWhatACutSevers) {
 TEST(Repair, TellsSheetsWithinOneCubeApartByAVoxelThatStaysOnItsSide) {
   // The last handles lie in two cubes; what changes a voxel's side there removes two at a time.
   const SmallVolume volume = testing::noise_of_some_size(3423);
-  expect_genus(volume, repair_loops(volume.view(), zero_level, {.genus = 0}), 0);
+  const Repair repair = repair_loops(volume.view(), zero_level, {.genus = 0});
+  expect_genus(volume, repair, 0);
+  EXPECT_GT(repair.shifted_voxels, 0);
+}
+
+TEST(Repair, ChangesTheSameVoxelsWithAnyNumberOfThreads) {
+  const SmallVolume volume = testing::smooth_noise({18, 17, 16}, 7, 2);
+  const auto changes = [&](int threads) {
+    std::vector<std::pair<std::size_t, double>> all;
+    const Repair repair = tbb::task_arena(threads).execute(
+        [&] { return repair_loops(volume.view(), zero_level, {.genus = 0}); });
+    for (const VoxelChange& change : repair.changes) all.emplace_back(change.voxel, change.after);
+    return all;
+  };
+  const auto expected = changes(1);
+  EXPECT_GT(expected.size(), 0U);
+  EXPECT_EQ(changes(2), expected);
+  EXPECT_EQ(changes(8), expected);
 }
 
 TEST(Repair, TwiceIsTheSameAsOnce) {

@@ -101,7 +101,10 @@ void write_repair_table(std::ostream& out, const RepairRun& result) {
       << " changed: " << repair.added_voxels << " filled (volume "
       << fixed_text(static_cast<double>(repair.added_voxels) * volume, decimals) << "), "
       << repair.removed_voxels << " cut away (volume "
-      << fixed_text(static_cast<double>(repair.removed_voxels) * volume, decimals) << ")\n";
+      << fixed_text(static_cast<double>(repair.removed_voxels) * volume, decimals) << ")";
+  if (repair.shifted_voxels > 0)
+    out << ", " << repair.shifted_voxels << " shifted on the side that they were on";
+  out << '\n';
   if (repair.removals.empty()) {
     out << "nothing to repair\n";
   } else {
@@ -137,6 +140,7 @@ void write_repair_json(std::ostream& out, const RepairRun& result) {
       {"changed_voxels", repair.changes.size()},
       {"filled_voxels", repair.added_voxels},
       {"cut_voxels", repair.removed_voxels},
+      {"shifted_voxels", repair.shifted_voxels},
       {"filled_volume", static_cast<double>(repair.added_voxels) * volume},
       {"cut_volume", static_cast<double>(repair.removed_voxels) * volume},
       {"rounds", repair.rounds},
