@@ -106,9 +106,6 @@ TEST(Readme, CommandsOnTheBlockPrintWhatIsShown) {
 }
 
 TEST(Readme, CommandsOnTheEnginePrintWhatIsShown) {
-#ifdef __SANITIZE_ADDRESS__
-  GTEST_SKIP() << "minutes under AddressSanitizer";
-#endif
   const std::string name = "engine_256x256x128_uint8.raw";
   ISOLOOP_NEEDS("volumes/" + name);
   const ScratchDirectory scratch;
