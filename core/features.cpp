@@ -15,7 +15,7 @@
 #include <tbb/task_arena.h>
 
 #include "core/errors.h"
-#include "core/thread_count.h"
+#include "core/threads.h"
 #include "core/triangle_fans.h"
 
 namespace isoloop {

@@ -14,7 +14,7 @@
 #include "core/complex.h"
 #include "core/disjoint_sets.h"
 #include "core/order.h"
-#include "core/thread_count.h"
+#include "core/threads.h"
 
 namespace isoloop {
 

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
 #include "core/errors.h"
 #include "core/scan.h"
+#include "core/threads.h"
 #include "tests/random_volumes.h"
 #include "tests/real_data.h"
 #include "tests/scan_comparison.h"
@@ -110,9 +110,9 @@ TEST(Scan, IsTheSameForAnyNumberOfThreads) {
   const SmallVolume volume = testing::white_noise({20, 20, 20}, 5);
   std::vector<double> isos;
   for (int i = -10; i <= 10; ++i) isos.push_back(0.09 * i);
-  const auto many = scan_topology(volume.view(), isos);
-  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  const auto few = scan_topology(volume.view(), isos);
+  const auto scan = [&] { return scan_topology(volume.view(), isos); };
+  const auto many = with_threads(16, scan);
+  const auto few = with_threads(1, scan);
   for (std::size_t i = 0; i < isos.size(); ++i)
     EXPECT_EQ(numbers(many[i].betti, many[i].euler, many[i].inside_voxels),
               numbers(few[i].betti, few[i].euler, few[i].inside_voxels));

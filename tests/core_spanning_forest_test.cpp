@@ -1,11 +1,11 @@
 #include <array>
 
 #include <gtest/gtest.h>
-#include <tbb/task_arena.h>
 
 #include "core/disjoint_sets.h"
 #include "core/order.h"
 #include "core/spanning_forest.h"
+#include "core/threads.h"
 #include "tests/core_fixture.h"
 
 namespace isoloop {
@@ -13,8 +13,7 @@ namespace {
 
 /// By so many threads, which decide how thick the slabs are.
 BitSet forest_by(int threads, const GridComplex& complex) {
-  tbb::task_arena arena(threads);
-  return arena.execute([&] { return largest_forest(complex); });
+  return with_threads(threads, [&] { return largest_forest(complex); });
 }
 
 TEST(SpanningForest, IsTheOneThatKruskalFindsWithTheLargestPiecesFirst) {

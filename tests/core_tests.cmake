@@ -46,7 +46,7 @@ isoloop_add_tests(isoloop_core_tests
     core_surface_hierarchy_test.cpp
     core_surface_order_test.cpp
     core_surface_test.cpp
-    core_thread_count_test.cpp
+    core_threads_test.cpp
     core_triangle_fans_test.cpp
     core_vertex_cut_test.cpp
     core_vertex_pairs_test.cpp

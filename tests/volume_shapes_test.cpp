@@ -3,9 +3,9 @@
 #include <string>
 
 #include <gtest/gtest.h>
-#include <oneapi/tbb/global_control.h>
 
 #include "core/errors.h"
+#include "core/threads.h"
 #include "tests/voxel_oracle.h"
 #include "volume/shapes.h"
 
@@ -148,9 +148,9 @@ TEST(Shapes, BelongBelowZeroAndSayLevelSet) {
 TEST(Shapes, SameBytesForAnyNumberOfThreads) {
   for (const char* name : {"trefoil", "engine_block"}) {
     const ShapeOptions options{.size = minimum_shape_size(name)};
-    const Shape many = make_shape(name, options);
-    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    EXPECT_EQ(make_shape(name, options).volume.values, many.volume.values) << name;
+    const auto make = [&] { return make_shape(name, options); };
+    const Shape many = with_threads(16, make);
+    EXPECT_EQ(with_threads(1, make).volume.values, many.volume.values) << name;
   }
 }
 

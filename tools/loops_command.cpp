@@ -24,6 +24,7 @@
 #include "tools/report_stats.h"
 #include "tools/report_surface.h"
 #include "tools/report_table.h"
+#include "tools/thread_flag.h"
 #include "volume/file_kind.h"
 #include "volume/write.h"
 

@@ -2,39 +2,20 @@
 
 #include <chrono>
 #include <iostream>
-#include <optional>
-
-#include <CLI/CLI.hpp>
-#include <tbb/global_control.h>
 
 #include "core/errors.h"
 #include "tools/read_run.h"
 #include "tools/scan_run.h"
+#include "tools/thread_flag.h"
 
 namespace isoloop {
+namespace {
 
-void add_thread_flag(CLI::App& command, int& threads) {
-  command
-      .add_option("--threads", threads,
-                  "threads to use (default: one for each core); the result does not depend on it")
-      ->check(CLI::Range(1, 1024))
-      ->type_name("N");
-}
-
-void check_engine_flags(const LoopsInput& input) {
-  pair_options(input.engine);
-  tighten_of(input.engine, boundary_of(input.level));
-}
-
-RunResult find_run(const LoopsInput& input, const Progress& progress) {
+RunResult found_run(const LoopsInput& input, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   const PairOptions pair = pair_options(input.engine);
   const Boundary boundary = boundary_of(input.level);
   const Tighten tighten = tighten_of(input.engine, boundary);
-  std::optional<tbb::global_control> threads;
-  if (input.threads > 0)
-    threads.emplace(tbb::global_control::max_allowed_parallelism,
-                    static_cast<std::size_t>(input.threads));
   RunResult run = read_run(input.volume, input.level);
   run.geodesic = input.geodesic == "exact" ? GeodesicMode::exact : GeodesicMode::hierarchy;
   run.engine = engine_of(input.engine);
@@ -72,6 +53,17 @@ RunResult find_run(const LoopsInput& input, const Progress& progress) {
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   run.cost.peak_bytes = peak_resident_bytes();
   return run;
+}
+
+}  // namespace
+
+void check_engine_flags(const LoopsInput& input) {
+  pair_options(input.engine);
+  tighten_of(input.engine, boundary_of(input.level));
+}
+
+RunResult find_run(const LoopsInput& input, const Progress& progress) {
+  return on_threads(input.threads, [&] { return found_run(input, progress); });
 }
 
 }  // namespace isoloop

@@ -25,9 +25,6 @@ struct LoopsInput {
   bool features_may_lack = false;            // with a warning, where memory has no room for them
 };
 
-/// Adds --threads. `threads` must outlive the parse.
-void add_thread_flag(CLI::App& command, int& threads);
-
 /// Throws InvalidArgument for engine flags that do not go together, before anything is read.
 void check_engine_flags(const LoopsInput& input);
 

@@ -4,13 +4,11 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include <CLI/CLI.hpp>
-#include <tbb/global_control.h>
 
 #include "core/errors.h"
 #include "tools/output_files.h"
@@ -18,6 +16,7 @@
 #include "tools/read_run.h"
 #include "tools/repair_flags.h"
 #include "tools/report_repair.h"
+#include "tools/thread_flag.h"
 #include "volume/atomic_file.h"
 #include "volume/file_kind.h"
 #include "volume/header_text.h"
@@ -121,19 +120,16 @@ void repair(const CommandFlags& flags) {
   if (!flags.dry_run) outputs.reserve("--output", flags.output);
   outputs.add("--json", flags.json,
               [&result](std::ostream& out, const RunResult&) { write_repair_json(out, result); });
-  std::optional<tbb::global_control> threads;
-  if (flags.threads > 0) {
-    threads.emplace(tbb::global_control::max_allowed_parallelism,
-                    static_cast<std::size_t>(flags.threads));
-  }
   ProgressLine progress(std::cerr, progress_options(flags.progress));
   RunResult& run = result.run;
-  run = read_run(flags.volume, flags.level);
-  if (!flags.dry_run) check_format(flags, run.volume);
-  result.repair = repair_loops(view(run.volume), run.level, request,
-                               {.boundary = boundary_of(flags.level),
-                                .progress = progress.callback(),
-                                .max_bytes = run.cost.max_bytes});
+  on_threads(flags.threads, [&] {
+    run = read_run(flags.volume, flags.level);
+    if (!flags.dry_run) check_format(flags, run.volume);
+    result.repair = repair_loops(view(run.volume), run.level, request,
+                                 {.boundary = boundary_of(flags.level),
+                                  .progress = progress.callback(),
+                                  .max_bytes = run.cost.max_bytes});
+  });
   check_counts(result.repair.after);
   check_loops(result.repair.after);
   run.cost.peak_bytes = peak_resident_bytes();
@@ -164,11 +160,7 @@ void add_repair_command(CLI::App& app) {
   command.add_flag("--dry-run", flags->dry_run, "report, and write no volume");
   command.add_option("--json", flags->json, "write the report as JSON; - is standard output")
       ->type_name("FILE|-");
-  command
-      .add_option("--threads", flags->threads,
-                  "threads to use (default: one for each core); the result does not depend on it")
-      ->check(CLI::Range(1, 1024))
-      ->type_name("N");
+  add_thread_flag(command, flags->threads);
   add_progress_flags(command, flags->progress);
   command.footer(
       "Examples:\n"

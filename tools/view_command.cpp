@@ -11,6 +11,7 @@
 #include "tools/page.h"
 #include "tools/progress.h"
 #include "tools/report_table.h"
+#include "tools/thread_flag.h"
 
 namespace isoloop {
 namespace {
