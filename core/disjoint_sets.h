@@ -1,12 +1,11 @@
 // Union-find on 32-bit numbers.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <numeric>
 #include <utility>
 #include <vector>
-
-#include "core/bit_set.h"
 
 namespace isoloop {
 
@@ -36,30 +35,42 @@ class DisjointSets {
     return true;
   }
 
+  /// find() that other threads may call at the same time, and unite_shared() too: the root then may
+  /// be one no more. Parents only ever move up, so that halving a path that another thread halves
+  /// leads nobody astray.
+  std::uint32_t find_shared(std::uint32_t member) {
+    for (;;) {
+      const std::atomic_ref entry(parent_[member]);
+      const std::uint32_t parent = entry.load(std::memory_order_relaxed);
+      if (parent == member) return member;
+      const std::uint32_t above = std::atomic_ref(parent_[parent]).load(std::memory_order_relaxed);
+      if (above != parent) entry.store(above, std::memory_order_relaxed);
+      member = parent;
+    }
+  }
+
+  /// unite() that other threads may call at the same time, with other members or the same; true for
+  /// one of the calls that make two sets one.
+  bool unite_shared(std::uint32_t a, std::uint32_t b) {
+    for (;;) {
+      a = find_shared(a);
+      b = find_shared(b);
+      if (a == b) return false;
+      if (a > b) std::swap(a, b);
+      std::uint32_t root = b;
+      // Fails if another thread has linked b since.
+      if (std::atomic_ref(parent_[b]).compare_exchange_strong(root, a, std::memory_order_relaxed))
+        return true;
+    }
+  }
+
   /// Makes root() valid for all members, until the next union; linear, one pass.
   void flatten() {
     for (std::uint32_t& parent : parent_) parent = parent_[parent];  // parents come first
   }
 
-  /// The number of each member's set, 0, 1, … by least member, for the sets with a root in `roots`;
-  /// `count` is set to how many these are. Members of other sets get any number.
-  std::vector<std::uint32_t> numbers(const BitSet& roots, std::uint32_t& count) && {
-    flatten();
-    count = 0;
-    for (std::uint32_t member = 0; member < member_count(); ++member) {
-      if (parent_[member] != member)
-        parent_[member] = parent_[parent_[member]];
-      else
-        parent_[member] = roots[member] ? count++ : 0;
-    }
-    return std::move(parent_);
-  }
-
-  /// find() after flatten(), or where each member was united with its root itself; may be called
-  /// from many threads.
+  /// find() after flatten(); may be called from many threads.
   std::uint32_t root(std::uint32_t member) const { return parent_[member]; }
-
-  std::uint32_t member_count() const { return static_cast<std::uint32_t>(parent_.size()); }
 
  private:
   std::vector<std::uint32_t> parent_;

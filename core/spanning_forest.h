@@ -5,9 +5,12 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <numeric>
+#include <span>
 #include <vector>
 
 #include <boost/sort/spreadsort/integer_sort.hpp>
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include "core/bit_set.h"
@@ -15,6 +18,7 @@
 #include "core/disjoint_sets.h"
 #include "core/order.h"
 #include "core/threads.h"
+#include "core/unset_vector.h"
 
 namespace isoloop {
 
@@ -38,9 +42,9 @@ class ForestOfLayers {
     for (std::uint32_t cell = first_; cell < last_; ++cell) is_bound_[local(cell)] = is_bound[cell];
   }
 
-  /// Adds to `forest`, and its trees to `trees`. Returns the pieces of these layers that may be in
-  /// it as well.
-  std::vector<std::uint32_t> grow(BitSet& forest, DisjointSets& trees) {
+  /// Adds to `forest`, and sets the entries of these layers' cells in `tree_of_cell`: the greatest
+  /// cell of their tree. Returns the pieces of these layers that may be in the forest as well.
+  std::vector<std::uint32_t> grow(BitSet& forest, std::span<std::uint32_t> tree_of_cell) {
     std::vector<std::uint64_t> sized;  // keys
     std::vector<std::uint32_t> unsized;
     const std::uint32_t end = std::min(end_ + 1, complex_.layer_count() - 1);
@@ -61,9 +65,8 @@ class ForestOfLayers {
       take(static_cast<std::uint32_t>(sized[i]), forest, open);
     for (std::size_t i = unsized.size(); i-- > 0;) take(unsized[i], forest, open);
     open.shrink_to_fit();
-    // Ascending, so that each cell hangs on its tree's least one itself: root() holds.
     for (std::uint32_t cell = first_; cell < last_; ++cell)
-      trees.unite(cell, last_ - 1 - trees_.find(local(cell)));
+      tree_of_cell[cell] = last_ - 1 - trees_.find(local(cell));
     return open;
   }
 
@@ -111,9 +114,34 @@ class ForestOfLayers {
   std::vector<std::uint8_t> is_bound_;                         // by root of a tree
 };
 
+/// Numbers the trees that have an open piece on their border, 0, 1, ...: `tree_of_cell`, which
+/// names each one's greatest cell, to be found in the same one of `ranges`, gets the numbers in its
+/// place (any for the others). Returns how many they are.
+inline std::uint32_t number_trees(const BitSet& touched, std::span<const std::uint32_t> ranges,
+                                  std::span<std::uint32_t> tree_of_cell) {
+  const std::size_t count = ranges.size() - 1;
+  std::vector<std::uint32_t> first(count + 1);
+  const auto is_tree = [&](std::uint32_t cell) {
+    return tree_of_cell[cell] == cell && touched[cell];
+  };
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t r) {
+    for (std::uint32_t cell = ranges[r]; cell < ranges[r + 1]; ++cell)
+      first[r + 1] += is_tree(cell) ? 1 : 0;
+  });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t r) {
+    std::uint32_t next = first[r];
+    for (std::uint32_t cell = ranges[r + 1]; cell-- > ranges[r];) {
+      const std::uint32_t root = tree_of_cell[cell];
+      tree_of_cell[cell] = is_tree(cell) ? next++ : root == cell ? 0 : tree_of_cell[root];
+    }
+  });
+  return first.back();
+}
+
 /// Boruvka's rounds on what is left: `trees` as nodes, joined by the pieces in `open`.
 template <Complex C>
-void join_trees(const C& complex, const std::vector<std::uint32_t>& tree_of_cell,
+void join_trees(const C& complex, std::span<const std::uint32_t> tree_of_cell,
                 std::uint32_t tree_count, std::vector<std::vector<std::uint32_t>>& open,
                 BitSet& forest) {
   DisjointSets trees(tree_count);
@@ -127,28 +155,32 @@ void join_trees(const C& complex, const std::vector<std::uint32_t>& tree_of_cell
   // Says whether the piece still joins two trees.
   const auto offer = [&](std::uint32_t piece) {
     const auto [a, b] = complex.cells(piece);
-    const std::uint32_t tree_a = trees.root(tree_of_cell[a]);
-    const std::uint32_t tree_b = trees.root(tree_of_cell[b]);
+    const std::uint32_t tree_a = trees.find_shared(tree_of_cell[a]);
+    const std::uint32_t tree_b = trees.find_shared(tree_of_cell[b]);
     if (tree_a == tree_b) return false;
     const std::uint64_t key = order_key(complex.size(piece), piece) + 1;  // 0 means none
     raise(tree_a, key);
     raise(tree_b, key);
     return true;
   };
-  for (bool any = true; any;) {
+  const auto take = [&](std::uint32_t piece) {
+    const auto [a, b] = complex.cells(piece);
+    if (trees.unite_shared(tree_of_cell[a], tree_of_cell[b])) forest.insert_shared(piece);
+  };
+  for (std::atomic<bool> any = true; any;) {
     tbb::parallel_for(std::size_t{0}, open.size(), [&](std::size_t i) {
       std::erase_if(open[i], [&](std::uint32_t piece) { return !offer(piece); });
     });
     any = false;
-    for (std::uint32_t tree = 0; tree < tree_count; ++tree) {
-      if (greatest[tree] == 0) continue;
-      const auto piece = static_cast<std::uint32_t>(greatest[tree] - 1);
-      greatest[tree] = 0;
-      const auto [a, b] = complex.cells(piece);
-      if (trees.unite(tree_of_cell[a], tree_of_cell[b])) forest.insert(piece);
-      any = true;
-    }
-    trees.flatten();
+    const tbb::blocked_range<std::uint32_t> all(0, tree_count, 1 << 12);
+    tbb::parallel_for(all, [&](const auto& range) {
+      for (std::uint32_t tree = range.begin(); tree < range.end(); ++tree) {
+        if (greatest[tree] == 0) continue;
+        take(static_cast<std::uint32_t>(greatest[tree] - 1));
+        greatest[tree] = 0;
+        any = true;
+      }
+    });
   }
 }
 
@@ -159,15 +191,15 @@ void join_trees(const C& complex, const std::vector<std::uint32_t>& tree_of_cell
 /// Milkova, Nesetrilova, Discrete Mathematics 233, 2001).
 template <Complex C>
 BitSet largest_forest(const C& complex) {
-  constexpr std::uint32_t largest_slab = 8;  // layers
-  // A slab at hand takes up to 60 bytes a cell: no more than a sixth of all cells at a time, or a
-  // layer for each thread.
+  constexpr std::uint32_t least_slab = 2;  // layers; one alone leaves most to the rounds
+  constexpr std::uint32_t largest_slab = 8;
+  // A slab at hand takes up to 60 bytes a cell: no more than a sixth of all cells at a time, or two
+  // layers for each thread.
   constexpr std::uint32_t share = 6;
   const std::uint32_t layers = complex.layer_count();
   const auto threads = static_cast<std::uint32_t>(thread_count());
-  const std::uint32_t slab = std::clamp(layers / (share * threads), 1U, largest_slab);
+  const std::uint32_t slab = std::clamp(layers / (share * threads), least_slab, largest_slab);
   BitSet forest(complex.piece_bound());
-  DisjointSets cells(complex.cell_bound());
   BitSet is_bound(complex.cell_bound());
   const std::uint32_t slabs = (layers - 1 + slab - 1) / slab;
   std::vector<std::vector<std::uint32_t>> open(slabs + 1);
@@ -175,18 +207,23 @@ BitSet largest_forest(const C& complex) {
     open[slabs].push_back(piece);
     for (const std::uint32_t cell : complex.cells(piece)) is_bound.insert(cell);
   });
+  std::vector<std::uint32_t> ranges(slabs + 2, complex.cell_bound());  // of cells: by slab, others
+  for (std::uint32_t s = 0; s <= slabs; ++s)
+    ranges[s] = complex.first_cell(std::min(s * slab, layers - 1));
+  UnsetVector<std::uint32_t> tree_of_cell(complex.cell_bound());
   tbb::parallel_for(std::uint32_t{0}, slabs, [&](std::uint32_t s) {
     const std::uint32_t end = std::min((s + 1) * slab, layers - 1);
-    open[s] = ForestOfLayers<C>(complex, s * slab, end, is_bound).grow(forest, cells);
+    open[s] = ForestOfLayers<C>(complex, s * slab, end, is_bound).grow(forest, tree_of_cell);
   });
+  std::iota(tree_of_cell.begin() + ranges[slabs], tree_of_cell.end(), ranges[slabs]);
   // Most trees are single cells of the other side, which nothing touches.
   BitSet touched(complex.cell_bound());
   tbb::parallel_for(std::size_t{0}, open.size(), [&](std::size_t i) {
     for (const std::uint32_t piece : open[i])
-      for (const std::uint32_t cell : complex.cells(piece)) touched.insert_shared(cells.root(cell));
+      for (const std::uint32_t cell : complex.cells(piece))
+        touched.insert_shared(tree_of_cell[cell]);
   });
-  std::uint32_t tree_count = 0;
-  const std::vector<std::uint32_t> tree_of_cell = std::move(cells).numbers(touched, tree_count);
+  const std::uint32_t tree_count = number_trees(touched, ranges, tree_of_cell);
   join_trees(complex, tree_of_cell, tree_count, open, forest);
   return forest;
 }

@@ -1,27 +1,30 @@
 #include "core/surface_hierarchy.h"
 
-#include <algorithm>
-#include <limits>
+#include <cmath>
 #include <utility>
 
+#include <tbb/parallel_for.h>
+
 #include "core/disjoint_sets.h"
+#include "core/rows.h"
 
 namespace isoloop {
 namespace {
 
-using Arc = std::pair<std::uint32_t, std::uint32_t>;
-
-/// Straight lengths between centers on the given arcs; repetitions are dropped.
-EdgeGraph graph_of(std::vector<Arc> arcs, const std::vector<Vec3>& centers) {
-  std::sort(arcs.begin(), arcs.end());
-  arcs.erase(std::unique(arcs.begin(), arcs.end()), arcs.end());
+/// An edge from `source` to each value of its row, as long as the straight line between centers.
+EdgeGraph graph_of(const Rows& targets, const std::vector<Vec3>& centers) {
+  const auto count = static_cast<std::uint32_t>(centers.size());
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> arcs(targets.values.size());
   EdgeGraph graph;
-  graph.csr = EdgeGraph::Csr(boost::edges_are_sorted, arcs.begin(), arcs.end(),
-                             static_cast<std::uint32_t>(centers.size()));
   graph.lengths.resize(arcs.size());
-  for (std::size_t i = 0; i < arcs.size(); ++i)
-    graph.lengths[i] =
-        static_cast<float>(distance(centers[arcs[i].first], centers[arcs[i].second]));
+  tbb::parallel_for(std::uint32_t{0}, count, [&](std::uint32_t source) {
+    for (std::uint32_t i = targets.first[source]; i < targets.first[source + 1]; ++i) {
+      arcs[i] = {source, targets.values[i]};
+      graph.lengths[i] = static_cast<float>(distance(centers[source], centers[targets.values[i]]));
+    }
+  });
+  graph.csr = EdgeGraph::Csr(boost::edges_are_sorted, arcs.begin(), arcs.end(), count,
+                             static_cast<std::uint32_t>(arcs.size()));
   return graph;
 }
 
@@ -33,10 +36,11 @@ std::vector<std::uint32_t> parents(const ClusterLevel& level, std::uint32_t& cou
     return std::array<std::int32_t, 3>{b[0] >> 1, b[1] >> 1, b[2] >> 1};
   };
   DisjointSets sets(clusters);
-  for (std::uint32_t c = 0; c < clusters; ++c)
+  tbb::parallel_for(std::uint32_t{0}, clusters, [&](std::uint32_t c) {
     level.neighbors.for_each_out_edge(c, [&](std::uint32_t next, std::uint32_t) {
-      if (next > c && halved(c) == halved(next)) sets.unite(c, next);
+      if (next > c && halved(c) == halved(next)) sets.unite_shared(c, next);
     });
+  });
   std::vector<std::uint32_t> parent(clusters);
   count = 0;
   for (std::uint32_t c = 0; c < clusters; ++c) {
@@ -44,6 +48,23 @@ std::vector<std::uint32_t> parents(const ClusterLevel& level, std::uint32_t& cou
     parent[c] = root == c ? count++ : parent[root];
   }
   return parent;
+}
+
+/// Of each of `count` parents, those of the neighbours of its children.
+Rows neighbors_of(const EdgeGraph& graph, const std::vector<std::uint32_t>& parent,
+                  std::uint32_t count) {
+  const auto for_each_arc = [&](const auto& visit) {
+    tbb::parallel_for(std::uint32_t{0}, graph.vertex_count(), [&](std::uint32_t c) {
+      graph.for_each_out_edge(c, [&](std::uint32_t next, std::uint32_t) {
+        if (parent[c] != parent[next]) visit(parent[c], parent[next]);
+      });
+    });
+  };
+  RowCollector collector(count);
+  for_each_arc([&](std::uint32_t from, std::uint32_t) { collector.count(from); });
+  collector.end_of_counting();
+  for_each_arc([&](std::uint32_t from, std::uint32_t to) { collector.add(from, to); });
+  return collector.take();
 }
 
 }  // namespace
@@ -55,12 +76,12 @@ ClusterLevel finest_level(const Surface& surface) {
   level.centers.resize(count);
   level.sizes.assign(count, 1);
   level.blocks.resize(count);
-  for (std::uint32_t v = 0; v < count; ++v) {
+  tbb::parallel_for(std::uint32_t{0}, count, [&](std::uint32_t v) {
     level.cluster_of_vertex[v] = v;
     level.centers[v] = scaled_point(surface, v);
     for (int a = 0; a < 3; ++a)
       level.blocks[v][a] = static_cast<std::int32_t>(std::floor(surface.points[v][a]));
-  }
+  });
   level.neighbors = surface.graph;
   return level;
 }
@@ -82,15 +103,11 @@ ClusterLevel coarser_level(const ClusterLevel& level) {
   }
   for (std::uint32_t p = 0; p < count; ++p)
     for (double& x : coarse.centers[p]) x /= coarse.sizes[p];
-  coarse.cluster_of_vertex.reserve(level.cluster_of_vertex.size());
-  for (const std::uint32_t c : level.cluster_of_vertex)
-    coarse.cluster_of_vertex.push_back(parent[c]);
-  std::vector<Arc> arcs;
-  for (std::uint32_t c = 0; c < parent.size(); ++c)
-    level.neighbors.for_each_out_edge(c, [&](std::uint32_t next, std::uint32_t) {
-      if (parent[c] != parent[next]) arcs.emplace_back(parent[c], parent[next]);
-    });
-  coarse.neighbors = graph_of(std::move(arcs), coarse.centers);
+  coarse.cluster_of_vertex.resize(level.cluster_of_vertex.size());
+  tbb::parallel_for(std::size_t{0}, coarse.cluster_of_vertex.size(), [&](std::size_t v) {
+    coarse.cluster_of_vertex[v] = parent[level.cluster_of_vertex[v]];
+  });
+  coarse.neighbors = graph_of(neighbors_of(level.neighbors, parent, count), coarse.centers);
   return coarse;
 }
 

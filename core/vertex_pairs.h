@@ -1,8 +1,11 @@
 // The distinct pairs of surface vertices whose distance along M is asked for.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
+
+#include "core/rows.h"
 
 namespace isoloop {
 
@@ -18,20 +21,17 @@ struct VertexPairs {
   std::uint32_t find(std::uint32_t a, std::uint32_t b) const;
 };
 
-/// Collects pairs in two rounds over the same sequence: first count() each, then add() each.
-/// Both may be called from many threads at once; the result does not depend on their order.
+/// Collects pairs in two rounds, as RowCollector does.
 class PairCollector {
  public:
-  explicit PairCollector(std::uint32_t vertices);
-  void count(std::uint32_t a, std::uint32_t b);
-  void end_of_counting();
-  void add(std::uint32_t a, std::uint32_t b);
-  VertexPairs take();  // sorts and drops repetitions; the collector is spent
+  explicit PairCollector(std::uint32_t vertices) : rows_(vertices) {}
+  void count(std::uint32_t a, std::uint32_t b) { rows_.count(std::min(a, b)); }
+  void end_of_counting() { rows_.end_of_counting(); }
+  void add(std::uint32_t a, std::uint32_t b) { rows_.add(std::min(a, b), std::max(a, b)); }
+  VertexPairs take();  // drops repetitions; the collector is spent
 
  private:
-  std::vector<std::uint32_t> first_;   // while counting: at a + 1, the pairs of a
-  std::vector<std::uint32_t> cursor_;  // where the next partner of a goes
-  std::vector<std::uint32_t> partner_;
+  RowCollector rows_;
 };
 
 }  // namespace isoloop

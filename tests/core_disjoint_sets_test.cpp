@@ -1,11 +1,14 @@
 #include <algorithm>
+#include <atomic>
 #include <random>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <tbb/parallel_for.h>
 
 #include "core/disjoint_sets.h"
+#include "core/threads.h"
 
 namespace isoloop {
 namespace {
@@ -59,6 +62,27 @@ TEST(DisjointSets, RootIsTheLeastMemberWhateverTheOrderOfTheUnions) {
     std::reverse(unions.begin(), unions.end());
     for (auto& [a, b] : unions) std::swap(a, b);
     EXPECT_EQ(roots_after(count, unions), least);
+  }
+}
+
+TEST(DisjointSets, UnionsByManyThreadsComeToTheSameSets) {
+  constexpr std::uint32_t count = 20'000;
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    const Pairs unions = random_pairs(count, 18'000, seed);
+    DisjointSets sets(count);
+    std::atomic<std::uint32_t> joined = 0;
+    with_threads(8, [&] {
+      tbb::parallel_for(std::size_t{0}, unions.size(), [&](std::size_t i) {
+        if (sets.unite_shared(unions[i].first, unions[i].second)) ++joined;
+      });
+    });
+    const std::vector<std::uint32_t> expected = roots_after(count, unions);
+    std::uint32_t roots = 0;
+    for (std::uint32_t member = 0; member < count; ++member) {
+      ASSERT_EQ(sets.find(member), expected[member]) << "seed " << seed;
+      roots += expected[member] == member ? 1 : 0;
+    }
+    EXPECT_EQ(joined, count - roots);
   }
 }
 
