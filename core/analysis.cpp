@@ -117,7 +117,7 @@ std::uint64_t count_volume_triangles(const Sides& sides, const EdgeIndex& edges)
 
 /// The loops of both sides, certified and tightened as the options say.
 std::vector<Loop> proved_loops(const Workings& workings, const AnalysisOptions& options,
-                               const std::vector<std::uint32_t>& closest, Analysis& analysis) {
+                               std::span<const std::uint32_t> closest, Analysis& analysis) {
   const Surface& surface = analysis.surface;
   const SurfaceClasses& classes = workings.classes;
   const bool open = surface.boundary == Boundary::open;
@@ -184,7 +184,7 @@ Workings work_out_loops(const AnyGridView& grid, const IsoLevel& level,
   if (surface.betti1() == 0) return workings;
   const std::uint64_t lattice = sides.lattice.vertex_count();
   check_memory("closest", closest_bytes(lattice, surface.points.size()), options.max_bytes);
-  const std::vector<std::uint32_t> closest = clock.run("closest", 0.05, seconds.closest, [&] {
+  const UnsetVector<std::uint32_t> closest = clock.run("closest", 0.05, seconds.closest, [&] {
     return closest_surface_vertices(sides, edges, surface);
   });
   check_memory("sizes", sizes_bytes(lattice, surface.points.size()), options.max_bytes);

@@ -15,10 +15,10 @@ constexpr std::uint32_t lines_at_once = 16;  // one cache line of each array
 
 /// The best vertex of M so far for every lattice vertex.
 struct Field {
-  std::vector<float> squared;  // distance, unit of the spacing
-  std::vector<std::uint32_t> site;
+  UnsetVector<float> squared;  // distance, unit of the spacing
+  UnsetVector<std::uint32_t> site;
 
-  explicit Field(std::uint32_t count) : squared(count, unreached), site(count) {}
+  explicit Field(std::uint32_t count) : squared(count), site(count) {}
 };
 
 /// Scratch space for one line of lattice vertices.
@@ -49,9 +49,10 @@ void for_each_batch(const Lattice& lattice, int axis, const Body& body) {
       });
 }
 
-/// Distances along `axis` to the vertices of M on edges of that direction, line by line.
-Field seed(const Lattice& lattice, const EdgeIndex& edges, const Surface& surface, int axis) {
-  Field field(lattice.vertex_count());
+/// Sets `field` anew: distances along `axis` to the vertices of M on edges of that direction, line
+/// by line.
+void seed(const Lattice& lattice, const EdgeIndex& edges, const Surface& surface, int axis,
+          Field& field) {
   const std::uint32_t n = lattice.dims[axis];
   const std::uint32_t step = lattice.stride[axis];
   const double h = surface.spacing[axis];
@@ -59,6 +60,11 @@ Field seed(const Lattice& lattice, const EdgeIndex& edges, const Surface& surfac
   for_each_batch(lattice, axis,
                  [&](std::uint32_t first, std::uint32_t count, std::uint32_t across,
                      const std::vector<Line>&) {
+                   for (std::uint32_t i = 0; i < n; ++i)
+                     for (std::uint32_t l = 0; l < count; ++l) {
+                       field.squared[first + i * step + l * across] = unreached;
+                       field.site[first + i * step + l * across] = 0;
+                     }
                    for (std::uint32_t l = 0; l < count; ++l) {
                      const std::uint32_t base = first + l * across;
                      const auto offer = [&](std::uint32_t i, std::uint32_t site) {
@@ -84,7 +90,6 @@ Field seed(const Lattice& lattice, const EdgeIndex& edges, const Surface& surfac
                      }
                    }
                  });
-  return field;
 }
 
 /// Lower envelope of the parabolas squared[q] + (h (x - q))^2; fills line.apex and line.start.
@@ -151,21 +156,21 @@ void take_nearer(Field& field, const Field& other_field) {
 
 }  // namespace
 
-std::vector<std::uint32_t> closest_surface_vertices(const Sides& sides, const EdgeIndex& edges,
+UnsetVector<std::uint32_t> closest_surface_vertices(const Sides& sides, const EdgeIndex& edges,
                                                     const Surface& surface) {
   const Lattice& lattice = sides.lattice;
-  Field nearest = seed(lattice, edges, surface, 0);
+  Field nearest(lattice.vertex_count());
+  seed(lattice, edges, surface, 0, nearest);
   spread(lattice, surface.spacing, 1, nearest);
-  {
-    Field on_y_edges = seed(lattice, edges, surface, 1);
-    spread(lattice, surface.spacing, 0, on_y_edges);
-    take_nearer(nearest, on_y_edges);
-  }
+  Field other(lattice.vertex_count());
+  seed(lattice, edges, surface, 1, other);
+  spread(lattice, surface.spacing, 0, other);
+  take_nearer(nearest, other);
   spread(lattice, surface.spacing, 2, nearest);
-  Field on_z_edges = seed(lattice, edges, surface, 2);
-  spread(lattice, surface.spacing, 0, on_z_edges);
-  spread(lattice, surface.spacing, 1, on_z_edges);
-  take_nearer(nearest, on_z_edges);
+  seed(lattice, edges, surface, 2, other);
+  spread(lattice, surface.spacing, 0, other);
+  spread(lattice, surface.spacing, 1, other);
+  take_nearer(nearest, other);
   return std::move(nearest.site);
 }
 

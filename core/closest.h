@@ -2,18 +2,18 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "core/edge_index.h"
 #include "core/sides.h"
 #include "core/surface.h"
+#include "core/unset_vector.h"
 
 namespace isoloop {
 
 /// Exact in Euclidean distance (unit of the spacing), up to single precision; a separable lower
 /// envelope of parabolas (Felzenszwalb and Huttenlocher, Theory of Computing 8, 2012) for the
 /// vertices of M on edges along each axis. Result by lattice vertex; linear time. M not empty.
-std::vector<std::uint32_t> closest_surface_vertices(const Sides& sides, const EdgeIndex& edges,
+UnsetVector<std::uint32_t> closest_surface_vertices(const Sides& sides, const EdgeIndex& edges,
                                                     const Surface& surface);
 
 }  // namespace isoloop

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "core/edge_set.h"
 #include "core/sides.h"
 #include "core/surface.h"
+#include "core/unset_vector.h"
 
 namespace isoloop {
 
@@ -24,6 +26,7 @@ enum class GeodesicMode { exact, hierarchy };
 class SparseSizes {
  public:
   SparseSizes() = default;
+  /// Each of `not_zero` is to be set before it is read.
   explicit SparseSizes(EdgeSet not_zero)
       : not_zero_(std::move(not_zero)), sizes_(not_zero_.count()) {}
 
@@ -38,7 +41,7 @@ class SparseSizes {
 
  private:
   EdgeSet not_zero_;
-  std::vector<float> sizes_;  // by rank
+  UnsetVector<float> sizes_;  // by rank
 };
 
 /// Sizes of K's edges, unit of the spacing; infinite where the ends' closest vertices lie on
@@ -50,6 +53,6 @@ struct EdgeSizes {
 
 /// g of Dey, Li, Sun, Cohen-Steiner (SIGGRAPH 2008), section 4. `closest`: by lattice vertex.
 EdgeSizes geodesic_sizes(const Sides& sides, const EdgeIndex& edges, const Surface& surface,
-                         const std::vector<std::uint32_t>& closest, GeodesicMode mode);
+                         std::span<const std::uint32_t> closest, GeodesicMode mode);
 
 }  // namespace isoloop

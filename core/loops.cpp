@@ -43,7 +43,7 @@ Vec3 center_of(const Surface& surface, const Loop& loop) {
 class LoopFinder {
  public:
   LoopFinder(const Surface& surface, const SurfaceClasses& classes, const SolvedSide& side,
-             const std::vector<std::uint32_t>& closest)
+             std::span<const std::uint32_t> closest)
       : surface_(surface),
         classes_(classes),
         side_(side),
@@ -142,7 +142,7 @@ class LoopFinder {
   const Surface& surface_;
   const SurfaceClasses& classes_;
   SolvedSide side_;
-  const std::vector<std::uint32_t>& closest_;
+  std::span<const std::uint32_t> closest_;
   LoopKind kind_;
 };
 
@@ -199,7 +199,7 @@ std::vector<std::vector<Vec3>> drawn_curves(const Surface& surface, const Loop& 
 }
 
 std::vector<Loop> loops_of_side(const Surface& surface, const SurfaceClasses& classes,
-                                const SolvedSide& side, const std::vector<std::uint32_t>& closest) {
+                                const SolvedSide& side, std::span<const std::uint32_t> closest) {
   const LoopFinder finder(surface, classes, side, closest);
   std::vector<Loop> loops(side.pass.killing.size());
   const Side seen_from = side_of(kind_on(surface.boundary, side.complex.side()));

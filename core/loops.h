@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -82,7 +83,7 @@ struct SolvedSide {
 /// closed curve will do (it takes two on nested tori), the border of the surface that the labels
 /// span, each curve tightened.
 std::vector<Loop> loops_of_side(const Surface& surface, const SurfaceClasses& classes,
-                                const SolvedSide& side, const std::vector<std::uint32_t>& closest);
+                                const SolvedSide& side, std::span<const std::uint32_t> closest);
 
 /// Puts the loops of two sides that are not told apart in one order, by size, and numbers them.
 std::vector<Loop> merged_by_size(std::vector<Loop> inside, std::vector<Loop> outside);

@@ -57,7 +57,7 @@ struct Prepared {
   Sides sides;
   EdgeIndex edges;
   Surface surface;
-  std::vector<std::uint32_t> closest;
+  UnsetVector<std::uint32_t> closest;
   EdgeSizes sizes;
   std::unique_ptr<GridComplex> inside;
   std::unique_ptr<GridComplex> outside;

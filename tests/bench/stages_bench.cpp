@@ -36,7 +36,7 @@ struct Prepared {
   Sides sides;
   EdgeIndex edges;
   Surface surface;
-  std::vector<std::uint32_t> closest;
+  UnsetVector<std::uint32_t> closest;
   EdgeSizes sizes;
 };
 
