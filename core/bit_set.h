@@ -24,10 +24,11 @@ class BitSet {
     word.fetch_or(std::uint64_t{1} << (number % 64), std::memory_order_relaxed);
   }
 
-  /// Calls visit(number) for every number below `end` that is not in the set, ascending.
+  /// Calls visit(number) for every number from `begin`, a multiple of 64, up to `end`, itself not
+  /// included, that is not in the set, ascending.
   template <class Visit>
-  void for_each_missing(std::uint32_t end, const Visit& visit) const {
-    for (std::size_t w = 0; w * 64 < end; ++w)
+  void for_each_missing(std::uint32_t begin, std::uint32_t end, const Visit& visit) const {
+    for (std::size_t w = begin / 64; w * 64 < end; ++w)
       for (std::uint64_t missing = ~words_[w]; missing != 0; missing &= missing - 1) {
         const std::uint64_t number = w * 64 + static_cast<unsigned>(std::countr_zero(missing));
         if (number >= end) return;

@@ -1,8 +1,10 @@
 #include "core/dual_pass.h"
 
 #include <algorithm>
+#include <atomic>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "core/order.h"
 #include "core/spanning_forest.h"
@@ -121,6 +123,32 @@ DualPass finish(const C& complex, Propagation<C>& state, const std::vector<std::
   return pass;
 }
 
+/// Whether each generator is in an even number of the labels round the edge.
+bool sums_to_zero(const GridComplex& complex, std::uint32_t edge, const DualPass& pass) {
+  std::uint32_t one = 0;
+  std::vector<std::uint32_t> generators;  // of all labels but for equal ones that follow each other
+  const auto add = [&](std::uint32_t label) {
+    const auto set = pass.pool.generators(label);
+    generators.insert(generators.end(), set.begin(), set.end());
+  };
+  for (const std::uint32_t piece : complex.ring(edge)) {
+    const std::uint32_t label = pass.labels[piece];
+    if (label == 0) continue;
+    if (label == one) {
+      one = 0;
+      continue;
+    }
+    if (one != 0) add(one);
+    one = label;
+  }
+  if (one == 0 && generators.empty()) return true;
+  add(one);
+  std::sort(generators.begin(), generators.end());
+  for (std::size_t i = 0; i < generators.size(); i += 2)
+    if (i + 1 == generators.size() || generators[i] != generators[i + 1]) return false;
+  return true;
+}
+
 }  // namespace
 
 DualPass dual_pass(const GridComplex& complex) {
@@ -141,19 +169,14 @@ DualPass dual_pass(const GridComplex& complex) {
 }
 
 bool labels_are_consistent(const GridComplex& complex, const DualPass& pass) {
-  LabelPool pool = pass.pool;
-  bool consistent = true;
-  pass.labels.for_each([&](std::uint32_t piece, std::uint32_t) {
-    for (const std::uint32_t edge : complex.edges_of(piece)) {
-      std::uint32_t sum = 0;
-      for (const std::uint32_t neighbor : complex.ring(edge))
-        sum = pool.sum(sum, pass.labels[neighbor]);
-      consistent = consistent && sum == 0;
-    }
+  std::atomic<bool> consistent = true;
+  pass.labels.for_each_shared([&](std::uint32_t piece, std::uint32_t) {
+    for (const std::uint32_t edge : complex.edges_of(piece))
+      if (!sums_to_zero(complex, edge, pass)) consistent = false;
   });
   for (std::uint32_t i = 0; i < pass.killing.size(); ++i) {
-    const auto own = pool.generators(pass.labels[pass.killing[i].piece]);
-    consistent = consistent && own.size() == 1 && own[0] == i;
+    const auto own = pass.pool.generators(pass.labels[pass.killing[i].piece]);
+    if (own.size() != 1 || own[0] != i) consistent = false;
   }
   return consistent;
 }

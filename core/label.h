@@ -6,6 +6,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include <tbb/parallel_for.h>
+
 namespace isoloop {
 
 /// Generators, ascending.
@@ -63,15 +65,25 @@ class SparseLabels {
   /// Calls visit(piece, label) for every label that is not zero, ascending by piece.
   template <class Visit>
   void for_each(const Visit& visit) const {
-    for (std::size_t p = 0; p < pages_.size(); ++p)
-      for (std::size_t i = 0; i < pages_[p].size(); ++i)
-        if (pages_[p][i] != 0) visit(static_cast<std::uint32_t>(p << page_bits | i), pages_[p][i]);
+    for (std::size_t p = 0; p < pages_.size(); ++p) visit_page(p, visit);
+  }
+
+  /// The same from many threads at once, in any order.
+  template <class Visit>
+  void for_each_shared(const Visit& visit) const {
+    tbb::parallel_for(std::size_t{0}, pages_.size(), [&](std::size_t p) { visit_page(p, visit); });
   }
 
   /// Replaces every label by map[label].
   void relabel(std::span<const std::uint32_t> map);
 
  private:
+  template <class Visit>
+  void visit_page(std::size_t p, const Visit& visit) const {
+    for (std::size_t i = 0; i < pages_[p].size(); ++i)
+      if (pages_[p][i] != 0) visit(static_cast<std::uint32_t>(p << page_bits | i), pages_[p][i]);
+  }
+
   static constexpr std::uint32_t page_bits = 10;
   static constexpr std::uint32_t page_mask = (1U << page_bits) - 1;
   std::vector<std::vector<std::uint32_t>> pages_;

@@ -1,14 +1,16 @@
 // The one total order: by size, then by number.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <functional>
-#include <utility>
+#include <numeric>
 #include <vector>
 
 #include <boost/sort/spreadsort/integer_sort.hpp>
 #include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include "core/bit_set.h"
@@ -42,23 +44,36 @@ template <Complex C>
 std::vector<std::uint32_t> largest_missing(const C& complex, const BitSet& known) {
   constexpr std::size_t few = 1 << 20;
   constexpr int dropped_bits = 16;  // of a size: what is left are its exponent and 7 bits more
+  constexpr std::uint32_t chunk = 1 << 18;  // numbers of pieces
   const auto bin = [&](std::uint32_t piece) {
     return std::bit_cast<std::uint32_t>(complex.size(piece)) >> dropped_bits;
   };
+  std::vector<std::vector<std::uint32_t>> chunks(complex.piece_bound() / chunk + 1);
+  const auto for_each_missing = [&](const auto& visit) {
+    tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t c) {
+      const auto begin = static_cast<std::uint32_t>(c) * chunk;
+      const std::uint32_t end = begin + std::min(chunk, complex.piece_bound() - begin);
+      known.for_each_missing(begin, end, [&](std::uint32_t piece) { visit(c, piece); });
+    });
+  };
   std::vector<std::size_t> in_bin(std::size_t{1} << (32 - dropped_bits));
-  std::size_t missing = 0;
-  known.for_each_missing(complex.piece_bound(), [&](std::uint32_t piece) {
-    ++in_bin[bin(piece)];
-    ++missing;
-  });
+  tbb::enumerable_thread_specific<std::vector<std::size_t>> counted(in_bin);
+  for_each_missing([&](std::size_t, std::uint32_t piece) { ++counted.local()[bin(piece)]; });
+  for (const std::vector<std::size_t>& each : counted)
+    std::transform(each.begin(), each.end(), in_bin.begin(), in_bin.begin(), std::plus<>{});
+  const auto missing = std::accumulate(in_bin.begin(), in_bin.end(), std::size_t{0});
   std::size_t least = in_bin.size();
   std::size_t count = 0;
   while (count < missing && (count < few || count < missing / 8)) count += in_bin[--least];
+  for_each_missing([&](std::size_t c, std::uint32_t piece) {
+    if (bin(piece) >= least) chunks[c].push_back(piece);
+  });
   std::vector<std::uint32_t> pieces;
   pieces.reserve(count);
-  known.for_each_missing(complex.piece_bound(), [&](std::uint32_t piece) {
-    if (bin(piece) >= least) pieces.push_back(piece);
-  });
+  for (std::vector<std::uint32_t>& each : chunks) {
+    pieces.insert(pieces.end(), each.begin(), each.end());
+    each = {};
+  }
   sort_from_largest(complex, pieces);
   return pieces;
 }

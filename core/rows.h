@@ -4,12 +4,14 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/unset_vector.h"
+
 namespace isoloop {
 
 /// Row r: values[first[r]] .. values[first[r+1]-1].
 struct Rows {
   std::vector<std::uint32_t> first;  // size: rows + 1
-  std::vector<std::uint32_t> values;
+  UnsetVector<std::uint32_t> values;
 };
 
 /// Collects values in two rounds over the same sequence: first count() each, then add() each. Both
@@ -25,7 +27,7 @@ class RowCollector {
  private:
   std::vector<std::uint32_t> first_;   // while counting: at row + 1, the values of the row
   std::vector<std::uint32_t> cursor_;  // where the next value of the row goes
-  std::vector<std::uint32_t> values_;
+  UnsetVector<std::uint32_t> values_;
 };
 
 }  // namespace isoloop

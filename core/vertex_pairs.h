@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/rows.h"
+#include "core/unset_vector.h"
 
 namespace isoloop {
 
@@ -13,7 +14,7 @@ namespace isoloop {
 /// partner[first[a+1]-1], ascending and distinct.
 struct VertexPairs {
   std::vector<std::uint32_t> first;  // size: vertices + 1
-  std::vector<std::uint32_t> partner;
+  UnsetVector<std::uint32_t> partner;
 
   std::uint32_t source_count() const { return static_cast<std::uint32_t>(first.size() - 1); }
 

@@ -110,19 +110,25 @@ class PlainRings {
   }
 
   void write(BitSet& known) {
-    for (std::uint32_t z = 0; z < lattice_.dims[2]; ++z) {
-      std::uint32_t v = lattice_.vertex(0, 0, z);
+    tbb::parallel_for(std::uint32_t{0}, lattice_.dims[2], [&](std::uint32_t z) {
+      const std::uint32_t begin = lattice_.vertex(0, 0, z);
       const std::array<const Word*, 3> bits{known_[0].layer(z), known_[1].layer(z),
                                             known_[2].layer(z)};
-      for (std::uint32_t i = 0; i < lattice_.stride[2]; ++i, ++v)
-        for (std::uint32_t a = 0; a < 3; ++a)
-          if ((bits[a][i / 64] >> (i % 64) & 1U) != 0) known.insert(3 * v + a);
-    }
+      for (std::uint32_t i = 0; i < lattice_.stride[2]; ++i) {
+        // The layers beside this one may have numbers in the words of its first and last 64.
+        const bool is_shared = i < 64 || i + 64 > lattice_.stride[2];
+        for (std::uint32_t a = 0; a < 3; ++a) {
+          if ((bits[a][i / 64] >> (i % 64) & 1U) == 0) continue;
+          const std::uint32_t piece = 3 * (begin + i) + a;
+          is_shared ? known.insert_shared(piece) : known.insert(piece);
+        }
+      }
+    });
   }
 
  private:
   static constexpr std::size_t least_chunk = 8;       // words
-  static constexpr std::uint32_t layers_in_slab = 4;  // layers
+  static constexpr std::uint32_t layers_in_slab = 2;  // layers
   static constexpr std::size_t thin = 2000;           // conclusions
 
   struct Edge {

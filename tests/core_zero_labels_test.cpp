@@ -60,7 +60,7 @@ TEST(ZeroLabels, NumbersThatAreNoPieceAreKnown) {
     const BitSet known = zero_labels(complex, largest_forest(complex));
     std::vector<bool> is_piece(complex.piece_bound());
     for (const std::uint32_t piece : complex.pieces()) is_piece[piece] = true;
-    known.for_each_missing(complex.piece_bound(),
+    known.for_each_missing(0, complex.piece_bound(),
                            [&](std::uint32_t number) { EXPECT_TRUE(is_piece[number]) << number; });
   }
 }
