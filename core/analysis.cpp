@@ -18,7 +18,9 @@
 #include "core/run_both.h"
 #include "core/shortest_basis.h"
 #include "core/sides.h"
+#include "core/spanning_forest.h"
 #include "core/straighten.h"
+#include "core/threads.h"
 
 namespace isoloop {
 namespace {
@@ -58,6 +60,47 @@ Cut cut_volume(const AnyGridView& grid, const IsoLevel& level, const AnalysisOpt
   cut.surface = extract_surface(grid, level, *cut.sides, *cut.edges, with_graph);
   return cut;
 }
+
+/// What the memory has room for. Each of these throws LimitExceeded, naming the stage, if not for
+/// the least.
+class Room {
+ public:
+  Room(const Lattice& lattice, std::uint64_t vertices, std::uint64_t limit)
+      : lattice_(lattice.vertex_count()),
+        layers_(lattice.dims[2]),
+        vertices_(vertices),
+        limit_(limit) {}
+
+  void check_closest() const {
+    check_memory("closest", closest_bytes(lattice_, vertices_), limit_);
+  }
+
+  /// Threads at a time.
+  int size_searches() const {
+    return threads_within("sizes", sizes_bytes(lattice_, vertices_), size_search_bytes(vertices_),
+                          limit_, thread_count());
+  }
+  int loop_searches(std::uint64_t sizes) const {
+    return threads_within("loops", loops_bytes(lattice_, vertices_, sizes),
+                          loop_search_bytes(vertices_), limit_, thread_count());
+  }
+
+  /// Sides at a time.
+  int passes_at_once(std::uint64_t sizes) const {
+    const auto needed = [&](std::uint64_t sides) {
+      return pass_bytes(lattice_, vertices_, sizes, sides) +
+             slab_bytes(lattice_, layers_, thread_count());
+    };
+    check_memory("pass", needed(1), limit_);
+    return needed(2) <= limit_ ? 2 : 1;
+  }
+
+ private:
+  std::uint64_t lattice_;   // vertices
+  std::uint32_t layers_;    // of these
+  std::uint64_t vertices_;  // of M
+  std::uint64_t limit_;     // bytes
+};
 
 /// Runs the dual pass on both sides; `at_once`: at a time, which takes the memory of two.
 void run_passes(const Surface& surface, Workings& workings, bool at_once) {
@@ -182,22 +225,20 @@ Workings work_out_loops(const AnyGridView& grid, const IsoLevel& level,
   if (options.count_volume_triangles && !sides.empty())
     analysis.volume_triangles = count_volume_triangles(sides, edges);
   if (surface.betti1() == 0) return workings;
-  const std::uint64_t lattice = sides.lattice.vertex_count();
-  check_memory("closest", closest_bytes(lattice, surface.points.size()), options.max_bytes);
+  const Room room(sides.lattice, surface.points.size(), options.max_bytes);
+  room.check_closest();
   const UnsetVector<std::uint32_t> closest = clock.run("closest", 0.05, seconds.closest, [&] {
     return closest_surface_vertices(sides, edges, surface);
   });
-  check_memory("sizes", sizes_bytes(lattice, surface.points.size()), options.max_bytes);
+  const int size_searches = room.size_searches();
   workings.sizes = clock.run("sizes", 0.1, seconds.sizes, [&] {
-    return std::make_unique<EdgeSizes>(
-        geodesic_sizes(sides, edges, surface, closest, options.geodesic));
+    return with_threads(size_searches, [&] {
+      return std::make_unique<EdgeSizes>(
+          geodesic_sizes(sides, edges, surface, closest, options.geodesic));
+    });
   });
-  const auto pass_needs = [&](std::uint64_t sides_at_once) {
-    return pass_bytes(lattice, surface.points.size(), workings.sizes->by_edge.bytes(),
-                      sides_at_once);
-  };
-  check_memory("pass", pass_needs(1), options.max_bytes);
-  const bool at_once = pass_needs(2) <= options.max_bytes;
+  const bool at_once = room.passes_at_once(workings.sizes->by_edge.bytes()) == 2;
+  const int loop_searches = room.loop_searches(workings.sizes->by_edge.bytes());
   for (const Side side : {Side::inside, Side::outside})
     (side == Side::inside ? workings.inside : workings.outside).complex =
         std::make_unique<GridComplex>(sides, edges, *workings.sizes, side);
@@ -220,7 +261,8 @@ Workings work_out_loops(const AnyGridView& grid, const IsoLevel& level,
                                              workings.outside.pass);
     find_borders(surface, workings.classes, workings.inside);
     find_borders(surface, workings.classes, workings.outside);
-    return proved_loops(workings, options, closest, analysis);
+    return with_threads(loop_searches,
+                        [&] { return proved_loops(workings, options, closest, analysis); });
   });
   return workings;
 }

@@ -297,15 +297,6 @@ constexpr std::uint64_t surface_share = 110;
 constexpr std::uint64_t fans_share = 28;
 constexpr std::uint64_t search_share = 32;
 
-/// How many searches the memory has room for. Throws LimitExceeded if for none.
-int searches_at_once(std::uint64_t vertices, std::uint64_t max_bytes) {
-  const std::uint64_t shared = (surface_share + fans_share) * vertices;
-  const std::uint64_t one = search_share * vertices;
-  check_memory("features", shared + one, max_bytes);
-  const auto threads = static_cast<std::uint64_t>(thread_count());
-  return static_cast<int>(std::min(threads, (max_bytes - shared) / one));
-}
-
 }  // namespace
 
 std::vector<Feature> features_of(const Surface& surface, const std::vector<Loop>& loops,
@@ -313,8 +304,8 @@ std::vector<Feature> features_of(const Surface& surface, const std::vector<Loop>
   std::vector<Feature> features(loops.size());
   if (loops.empty()) return features;
   const std::uint64_t vertices = surface.points.size();
-  const int searches = searches_at_once(vertices, options.max_bytes);
-  tbb::task_arena arena(searches);
+  const int searches = threads_within("features", (surface_share + fans_share) * vertices,
+                                      search_share * vertices, options.max_bytes, thread_count());
   const std::uint64_t room =
       options.max_bytes - (surface_share + fans_share + search_share) * vertices;
   const TriangleFans fans(surface);
@@ -330,7 +321,7 @@ std::vector<Feature> features_of(const Surface& surface, const std::vector<Loop>
     throw LimitExceeded("the vertices of the features outgrow " + bytes_text(room) +
                         ", which is what the limit leaves; raise --max-memory or crop the volume");
   };
-  arena.execute([&] {
+  with_threads(searches, [&] {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, loops.size(), 1), [&](const auto& range) {
       for (std::size_t i = range.begin(); i < range.end(); ++i) run(i);
     });

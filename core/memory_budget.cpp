@@ -1,5 +1,6 @@
 #include "core/memory_budget.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -24,9 +25,16 @@ void check_memory(const char* stage, std::uint64_t needed, std::uint64_t limit) 
                       "; raise --max-memory or crop the volume");
 }
 
+int threads_within(const char* stage, std::uint64_t shared, std::uint64_t each, std::uint64_t limit,
+                   std::size_t threads) {
+  check_memory(stage, shared + each, limit);
+  return static_cast<int>(std::min<std::uint64_t>(threads, (limit - shared) / each));
+}
+
 // Held from stage to stage: 2.5 bytes a lattice vertex for the sides, 4 for the closest vertices,
 // 12.5 for the sizes at most; about 110 a surface vertex for M and its graph. The trees of a pass
-// and their open pieces take 10 a lattice vertex, those of both sides at once 16.
+// and their open pieces take 6 a lattice vertex and side. What the pass gives back, the searches
+// for loops seldom can use.
 
 std::uint64_t surface_bytes(std::uint64_t lattice, std::uint64_t surface) {
   return 5 * lattice / 2 + 170 * surface;
@@ -37,12 +45,20 @@ std::uint64_t closest_bytes(std::uint64_t lattice, std::uint64_t surface) {
 }
 
 std::uint64_t sizes_bytes(std::uint64_t lattice, std::uint64_t surface) {
-  return 19 * lattice + 200 * surface;
+  return 19 * lattice + 192 * surface;
 }
 
 std::uint64_t pass_bytes(std::uint64_t lattice, std::uint64_t surface, std::uint64_t sizes,
                          std::uint64_t sides_at_once) {
-  return (21 + 12 * sides_at_once) * lattice / 2 + 130 * surface + sizes;
+  return (13 + 12 * sides_at_once) * lattice / 2 + 130 * surface + sizes;
 }
+
+std::uint64_t loops_bytes(std::uint64_t lattice, std::uint64_t surface, std::uint64_t sizes) {
+  return 17 * lattice + 174 * surface + sizes;
+}
+
+std::uint64_t size_search_bytes(std::uint64_t surface) { return 8 * surface; }
+
+std::uint64_t loop_search_bytes(std::uint64_t surface) { return 56 * surface; }
 
 }  // namespace isoloop

@@ -1,6 +1,7 @@
 // How much memory the pipeline may hold, asked before each stage that takes much.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -15,13 +16,24 @@ std::string bytes_text(std::uint64_t bytes);
 /// Throws LimitExceeded, naming the stage and both figures, if it needs more than `limit` bytes.
 void check_memory(const char* stage, std::uint64_t needed, std::uint64_t limit);
 
+/// How many of `threads` there is room for at a time, each of which takes `each` bytes beside
+/// `shared`. Throws as check_memory() does if not for one.
+int threads_within(const char* stage, std::uint64_t shared, std::uint64_t each, std::uint64_t limit,
+                   std::size_t threads);
+
 /// Bytes that the pipeline holds at most during each stage, the grid's voxels not among them, for
 /// `lattice` vertices of the box round the solid, `surface` vertices of M and `sizes` bytes of
 /// sizes: fitted to peaks that were measured on thick parts, thin vessels and lattices of tubes.
 std::uint64_t surface_bytes(std::uint64_t lattice, std::uint64_t surface);
 std::uint64_t closest_bytes(std::uint64_t lattice, std::uint64_t surface);
-std::uint64_t sizes_bytes(std::uint64_t lattice, std::uint64_t surface);
+std::uint64_t sizes_bytes(std::uint64_t lattice, std::uint64_t surface);  // but for searches
 std::uint64_t pass_bytes(std::uint64_t lattice, std::uint64_t surface, std::uint64_t sizes,
-                         std::uint64_t sides_at_once);
+                         std::uint64_t sides_at_once);  // but for the slabs of largest_forest()
+std::uint64_t loops_bytes(std::uint64_t lattice, std::uint64_t surface,
+                          std::uint64_t sizes);  // but for searches
+
+/// Bytes that each thread takes for its searches on M.
+std::uint64_t size_search_bytes(std::uint64_t surface);
+std::uint64_t loop_search_bytes(std::uint64_t surface);
 
 }  // namespace isoloop

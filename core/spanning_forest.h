@@ -174,14 +174,33 @@ void join_trees(const C& complex, std::span<const std::uint32_t> tree_of_cell,
     any = false;
     const tbb::blocked_range<std::uint32_t> all(0, tree_count, 1 << 12);
     tbb::parallel_for(all, [&](const auto& range) {
+      bool any_here = false;
       for (std::uint32_t tree = range.begin(); tree < range.end(); ++tree) {
         if (greatest[tree] == 0) continue;
         take(static_cast<std::uint32_t>(greatest[tree] - 1));
         greatest[tree] = 0;
-        any = true;
+        any_here = true;
       }
+      if (any_here) any = true;
     });
   }
+}
+
+/// How many layers a slab of largest_forest() has.
+inline std::uint32_t layers_in_slab(std::uint32_t layers, std::size_t threads) {
+  constexpr std::uint32_t least = 2;  // one alone leaves most to the rounds
+  constexpr std::uint32_t largest = 8;
+  constexpr std::size_t share =
+      6;  // of all layers, at hand at a time where slabs are not the least
+  return static_cast<std::uint32_t>(
+      std::clamp<std::size_t>(layers / (share * threads), least, largest));
+}
+
+/// Bytes that largest_forest() takes for the slabs at hand and for the rounds at most.
+inline std::uint64_t slab_bytes(std::uint64_t cells, std::uint32_t layers, std::size_t threads) {
+  const std::uint32_t slab = layers_in_slab(layers, threads);
+  const std::uint64_t at_hand = std::min<std::uint64_t>(layers, slab * threads);
+  return cells * 60 / layers * at_hand + cells * 12 / slab;
 }
 
 /// The pieces that join two components of cells when all are read in the order of order.h, the
@@ -191,14 +210,8 @@ void join_trees(const C& complex, std::span<const std::uint32_t> tree_of_cell,
 /// Milkova, Nesetrilova, Discrete Mathematics 233, 2001).
 template <Complex C>
 BitSet largest_forest(const C& complex) {
-  constexpr std::uint32_t least_slab = 2;  // layers; one alone leaves most to the rounds
-  constexpr std::uint32_t largest_slab = 8;
-  // A slab at hand takes up to 60 bytes a cell: no more than a sixth of all cells at a time, or two
-  // layers for each thread.
-  constexpr std::uint32_t share = 6;
   const std::uint32_t layers = complex.layer_count();
-  const auto threads = static_cast<std::uint32_t>(thread_count());
-  const std::uint32_t slab = std::clamp(layers / (share * threads), least_slab, largest_slab);
+  const std::uint32_t slab = layers_in_slab(layers, thread_count());
   BitSet forest(complex.piece_bound());
   BitSet is_bound(complex.cell_bound());
   const std::uint32_t slabs = (layers - 1 + slab - 1) / slab;

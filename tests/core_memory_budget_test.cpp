@@ -7,6 +7,8 @@
 #include "core/analysis.h"
 #include "core/errors.h"
 #include "core/memory_budget.h"
+#include "core/spanning_forest.h"
+#include "core/threads.h"
 #include "tests/core_fixture.h"
 
 namespace isoloop {
@@ -32,8 +34,9 @@ TEST(MemoryBudget, EachStageIsRefusedByNameBeforeItStarts) {
   const std::array<std::pair<const char*, std::uint64_t>, 4> stages{
       {{"surface", surface_bytes(lattice, surface)},
        {"closest", closest_bytes(lattice, surface)},
-       {"sizes", sizes_bytes(lattice, surface)},
-       {"pass", pass_bytes(lattice, surface, sizes, 1)}}};
+       {"sizes", sizes_bytes(lattice, surface) + size_search_bytes(surface)},
+       {"pass", pass_bytes(lattice, surface, sizes, 1) +
+                    slab_bytes(lattice, p.sides.lattice.dims[2], thread_count())}}};
   for (const auto& [stage, bytes] : stages) {
     const std::string complaint = complaint_within(volume, bytes - 1);
     for (const std::string& part : {std::string(stage), bytes_text(bytes), bytes_text(bytes - 1),
@@ -41,6 +44,25 @@ TEST(MemoryBudget, EachStageIsRefusedByNameBeforeItStarts) {
       EXPECT_NE(complaint.find(part), std::string::npos) << complaint;
   }
   EXPECT_EQ(complaint_within(volume, stages.back().second), "");
+}
+
+TEST(MemoryBudget, SearchesForLoopsAreRefusedWhereTheSurfaceIsLarge) {
+  const testing::SmallVolume volume = testing::white_noise({14, 14, 14}, 1);
+  const testing::Prepared p(volume, GeodesicMode::hierarchy);
+  const std::uint64_t vertices = p.surface.points.size();
+  const std::uint64_t needed =
+      loops_bytes(p.sides.lattice.vertex_count(), vertices, p.sizes.by_edge.bytes()) +
+      loop_search_bytes(vertices);
+  EXPECT_NE(complaint_within(volume, needed - 1).find("'loops' needs " + bytes_text(needed)),
+            std::string::npos);
+  EXPECT_EQ(complaint_within(volume, needed), "");
+}
+
+TEST(MemoryBudget, ThreadsAreAsManyAsThereIsRoomFor) {
+  EXPECT_EQ(threads_within("sizes", 100, 10, unlimited_bytes, 16), 16);
+  EXPECT_EQ(threads_within("sizes", 100, 10, 139, 16), 3);
+  EXPECT_EQ(threads_within("sizes", 100, 10, 110, 16), 1);
+  EXPECT_THROW(threads_within("sizes", 100, 10, 109, 16), LimitExceeded);
 }
 
 TEST(MemoryBudget, TheBoxIsRefusedBeforeItIsAllocated) {
