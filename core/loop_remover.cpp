@@ -15,10 +15,10 @@ namespace isoloop {
 namespace {
 
 constexpr int value_styles = 3;
-constexpr double next_to_iso = 0.01;     // of a distance from iso that is usual, or the voxel's
-constexpr std::size_t most_nudged = 24;  // voxels beside a loop
-constexpr std::size_t few = 27;          // voxels that each severed part may have more than the cut
-constexpr std::size_t patience = 6000;   // voxels of the sets that may fail before the last resort
+constexpr double next_to_iso = 0.01;      // of a distance from iso that is usual, or the voxel's
+constexpr std::size_t most_shifted = 24;  // voxels beside a loop
+constexpr std::size_t few = 27;         // voxels that each severed part may have more than the cut
+constexpr std::size_t patience = 6000;  // voxels of the sets that may fail before the last resort
 
 }  // namespace
 
@@ -117,7 +117,7 @@ std::optional<std::vector<VoxelChange>> LoopRemover::propose(const LoopSite& loo
     if (auto change = passing(side, spanned)) return change;
     spanned = dilated(side, spanned);
   }
-  return nudge(loop);
+  return shift(loop);
 }
 
 /// How far to look for membranes from a loop of that length, in the order to be tried.
@@ -196,13 +196,11 @@ std::optional<std::vector<VoxelChange>> LoopRemover::passing(
   return std::nullopt;
 }
 
-/// How far from iso voxels within one step of the vertices lie.
-LoopRemover::Magnitudes LoopRemover::magnitudes_near(
-    Side side, std::span<const std::uint32_t> vertices) const {
+/// Those within one step of the vertices: of several, once for each.
+std::vector<std::size_t> LoopRemover::voxels_near(std::span<const std::uint32_t> vertices) const {
   const Lattice& lattice = workings_.sides->lattice;
   const Index3& dims = values_.dims();
-  std::vector<double> beyond;  // on the other side
-  Magnitudes near;
+  std::vector<std::size_t> near;
   for (const std::uint32_t vertex : vertices) {
     const auto p = lattice.position(vertex);
     for (int n = 0; n < 27; ++n) {
@@ -210,31 +208,44 @@ LoopRemover::Magnitudes LoopRemover::magnitudes_near(
                      lattice.first[2] + p[2] + n / 9 - 1};
       if (q[0] < 0 || q[1] < 0 || q[2] < 0 || q[0] >= dims[0] || q[1] >= dims[1] || q[2] >= dims[2])
         continue;
-      const auto voxel = static_cast<std::size_t>(q[0] + dims[0] * (q[1] + dims[1] * q[2]));
-      near.most = std::max(near.most, magnitude_of(voxel));
-      if (is_inside(voxel) != (side == Side::inside)) beyond.push_back(magnitude_of(voxel));
+      near.push_back(static_cast<std::size_t>(q[0] + dims[0] * (q[1] + dims[1] * q[2])));
     }
   }
-  near.usual_beyond = near.most;
-  if (!beyond.empty()) {
-    const auto middle = beyond.begin() + static_cast<std::ptrdiff_t>(beyond.size() / 2);
-    std::nth_element(beyond.begin(), middle, beyond.end());
-    near.usual_beyond = *middle;
-  }
   return near;
+}
+
+double LoopRemover::greatest_magnitude(const std::vector<std::size_t>& voxels) const {
+  double greatest = 0.0;
+  for (const std::size_t voxel : voxels) greatest = std::max(greatest, magnitude_of(voxel));
+  return greatest;
+}
+
+/// The median of those on `side`; nothing where none is.
+std::optional<double> LoopRemover::usual_magnitude(const std::vector<std::size_t>& voxels,
+                                                   Side side) const {
+  std::vector<double> magnitudes;
+  for (const std::size_t voxel : voxels)
+    if (is_inside(voxel) == (side == Side::inside)) magnitudes.push_back(magnitude_of(voxel));
+  if (magnitudes.empty()) return std::nullopt;
+  const auto middle = magnitudes.begin() + static_cast<std::ptrdiff_t>(magnitudes.size() / 2);
+  std::nth_element(magnitudes.begin(), middle, magnitudes.end());
+  return *middle;
 }
 
 /// Values on the other side. Style 0: mirrored about iso, but no farther off than is usual for the
 /// other side's voxels near by; 1: as far off as any voxel near by; 2: next to iso.
 std::optional<std::vector<VoxelChange>> LoopRemover::values_for(
     Side side, const std::vector<std::uint32_t>& vertices, int style) const {
-  const auto [most, usual] = magnitudes_near(side, vertices);
+  const Side other = side == Side::inside ? Side::outside : Side::inside;
+  const std::vector<std::size_t> near = voxels_near(vertices);
+  const double most = greatest_magnitude(near);
+  const double usual = usual_magnitude(near, other).value_or(most);
   std::vector<VoxelChange> change;
   for (const std::uint32_t vertex : vertices) {
     const std::size_t voxel = voxel_of(vertex);
     const double mirrored = std::clamp(magnitude_of(voxel), 0.1 * usual, usual);
     const double magnitude = style == 0 ? mirrored : style == 1 ? most : next_to_iso * usual;
-    const auto after = values_.nearest(magnitude, side == Side::outside, level_);
+    const auto after = values_.nearest(magnitude, other == Side::inside, level_);
     if (!after) return std::nullopt;
     change.push_back({voxel, values_.at(voxel), *after});
   }
@@ -243,7 +254,7 @@ std::optional<std::vector<VoxelChange>> LoopRemover::values_for(
 
 /// One voxel beside the loop stays on its side, but next to iso, or as far off as any near by.
 /// Where M runs through a cube in several sheets, that decides how they join.
-std::optional<std::vector<VoxelChange>> LoopRemover::nudge(const LoopSite& loop) {
+std::optional<std::vector<VoxelChange>> LoopRemover::shift(const LoopSite& loop) {
   const bool values_decide =
       level_.topology == Topology::trilinear || level_.topology == Topology::simple;
   if (!values_decide) return std::nullopt;
@@ -253,10 +264,10 @@ std::optional<std::vector<VoxelChange>> LoopRemover::nudge(const LoopSite& loop)
       if (!fixed_[end]) beside.push_back(end);
   std::sort(beside.begin(), beside.end());
   beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
-  if (beside.size() > most_nudged) return std::nullopt;
+  if (beside.size() > most_shifted) return std::nullopt;
   for (const std::uint32_t vertex : beside) {
     const std::size_t voxel = voxel_of(vertex);
-    const double most = magnitudes_near(side_of(loop.kind), {&vertex, 1}).most;
+    const double most = greatest_magnitude(voxels_near({&vertex, 1}));
     for (const double magnitude : {next_to_iso * magnitude_of(voxel), most}) {
       const auto after = values_.nearest(magnitude, is_inside(voxel), level_);
       if (!after || *after == values_.at(voxel)) continue;

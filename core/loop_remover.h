@@ -72,12 +72,10 @@ class LoopRemover {
   std::optional<std::vector<VoxelChange>> values_for(Side side,
                                                      const std::vector<std::uint32_t>& vertices,
                                                      int style) const;
-  std::optional<std::vector<VoxelChange>> nudge(const LoopSite& loop);
-  struct Magnitudes {
-    double most = 0.0;
-    double usual_beyond = 0.0;  // on the other side; `most` where none is near
-  };
-  Magnitudes magnitudes_near(Side side, std::span<const std::uint32_t> vertices) const;
+  std::optional<std::vector<VoxelChange>> shift(const LoopSite& loop);
+  std::vector<std::size_t> voxels_near(std::span<const std::uint32_t> vertices) const;
+  double greatest_magnitude(const std::vector<std::size_t>& voxels) const;
+  std::optional<double> usual_magnitude(const std::vector<std::size_t>& voxels, Side side) const;
   bool removes_one(const std::vector<VoxelChange>& change);
   std::size_t voxel_of(std::uint32_t vertex) const;
   double magnitude_of(std::size_t voxel) const;  // distance from iso; unit of the values
