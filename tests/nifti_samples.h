@@ -1,6 +1,7 @@
 // Small NIfTI files.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -45,8 +46,7 @@ struct NiftiSample {
   }
   std::string voxels() const {
     std::int64_t count = 1;
-    for (std::size_t i = 1; i < dim.size(); ++i)
-      if (static_cast<std::int16_t>(i) <= dim[0]) count *= dim[i];
+    for (int i = 1; i <= std::min<int>(dim[0], 7); ++i) count *= dim[i];
     std::string bytes;
     for (std::int64_t i = 0; i < count; ++i)
       bytes += number_bytes(static_cast<std::int16_t>(i), endian);
