@@ -121,8 +121,14 @@ struct KnownVolume {
   std::vector<Topology> topologies{Topology::trilinear, Topology::simple};
 };
 
-void PrintTo(const KnownVolume& known, std::ostream* out) {
-  *out << known.file << " " << known.iso;
+/// "engine_256_at_70", and the topology where there is one alone.
+std::string name_of(const ::testing::TestParamInfo<KnownVolume>& tested) {
+  const KnownVolume& known = tested.param;
+  std::string name =
+      testing::short_name(known.file) + "_at_" + std::to_string(static_cast<int>(known.iso));
+  if (known.topologies.size() == 1)
+    name += known.topologies.front() == Topology::simple ? "_simple" : "_trilinear";
+  return name;
 }
 
 class RealVolume : public ::testing::TestWithParam<KnownVolume> {};
@@ -178,7 +184,8 @@ INSTANTIATE_TEST_SUITE_P(
         KnownVolume{"neghip_64x64x64_uint8.raw", {64, 64, 64}, 55, 15136, 15160, 24, 15, 3, 15, 0},
         KnownVolume{"nucleon_41x41x41_uint8.raw", {41, 41, 41}, 140, 3500, 3504, 4, 2, 0, 1, 1},
         KnownVolume{
-            "silicium_98x34x34_uint8.raw", {98, 34, 34}, 85, 20024, 20036, 12, 37, 31, 1, 36}));
+            "silicium_98x34x34_uint8.raw", {98, 34, 34}, 85, 20024, 20036, 12, 37, 31, 1, 36}),
+    name_of);
 
 }  // namespace
 }  // namespace isoloop
