@@ -53,6 +53,12 @@ TEST(Repair, CutsATorusOpenOrFillsItsHole) {
   EXPECT_EQ(filled.removals[0].action, RepairAction::fill);
 }
 
+TEST(Repair, WorksWhereVoxelsAreABillionTimesThinnerThanWide) {
+  const SmallVolume volume = testing::torus({24, 24, 14});
+  const GridView<double> thin{volume.values, volume.dims, {1e-9, 1, 1}};
+  expect_genus(volume, repair_loops(thin, zero_level, {.genus = 0}), 0);
+}
+
 TEST(Repair, RemovesEachLoopOfRandomVolumesAndNoOther) {
   for (std::uint32_t seed = 0; seed < 3; ++seed) {
     const SmallVolume volume = testing::smooth_noise({16, 14, 12}, seed, 2);
