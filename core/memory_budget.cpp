@@ -57,6 +57,14 @@ std::uint64_t loops_bytes(std::uint64_t lattice, std::uint64_t surface, std::uin
   return 17 * lattice + 174 * surface + sizes;
 }
 
+std::uint64_t held_bytes(std::uint64_t lattice, std::uint64_t surface, std::uint64_t sizes) {
+  return 5 * lattice / 2 + 200 * surface + sizes;
+}
+
+std::uint64_t remaining_bytes(std::uint64_t limit, std::uint64_t held) {
+  return limit == unlimited_bytes ? limit : limit - std::min(limit, held);
+}
+
 std::uint64_t size_search_bytes(std::uint64_t surface) { return 8 * surface; }
 
 std::uint64_t loop_search_bytes(std::uint64_t surface) { return 56 * surface; }

@@ -32,6 +32,12 @@ std::uint64_t pass_bytes(std::uint64_t lattice, std::uint64_t surface, std::uint
 std::uint64_t loops_bytes(std::uint64_t lattice, std::uint64_t surface,
                           std::uint64_t sizes);  // but for searches
 
+/// Bytes that an analysis holds once it is made.
+std::uint64_t held_bytes(std::uint64_t lattice, std::uint64_t surface, std::uint64_t sizes);
+
+/// What is left of `limit` beside `held` bytes; unlimited_bytes remains.
+std::uint64_t remaining_bytes(std::uint64_t limit, std::uint64_t held);
+
 /// Bytes that each thread takes for its searches on M.
 std::uint64_t size_search_bytes(std::uint64_t surface);
 std::uint64_t loop_search_bytes(std::uint64_t surface);

@@ -11,6 +11,7 @@
 #include "core/class_passage.h"
 #include "core/errors.h"
 #include "core/level.h"
+#include "core/memory_budget.h"
 #include "core/repair_round.h"
 #include "core/voxel_values.h"
 
@@ -132,9 +133,9 @@ class Repairer {
            const AnalysisOptions& options)
       : level_(level),
         request_(request),
-        options_(options),
         values_(grid),
-        now_(work_out_loops(grid, level, options)) {}
+        options_(options),
+        now_(work_out_loops(grid, level, within(room_beside_voxels()))) {}
 
   Repair run() {
     bool is_first = true;
@@ -182,7 +183,7 @@ class Repairer {
   /// may spoil another, or a loop that is to stay.
   bool accept_most(Outcome& outcome, Unwanted& spoilers) {
     while (!outcome.done.empty()) {
-      Workings next = work_out_loops(values_.view(), level_, options_);
+      Workings next = work_out_loops(values_.view(), level_, within(room_beside_now()));
       std::vector<GeneratorSet> classes;
       for (const Done& done : outcome.done) classes.push_back(done.joint_class);
       const ClassPassage passage(now_, next, changed_by(outcome), classes);
@@ -198,6 +199,26 @@ class Repairer {
       keep(outcome, outcome.done.size() / 2);
     }
     return false;
+  }
+
+  AnalysisOptions within(std::uint64_t max_bytes) const {
+    AnalysisOptions options = options_;
+    options.max_bytes = max_bytes;
+    return options;
+  }
+
+  /// For an analysis beside the copy of the voxels, in bytes.
+  std::uint64_t room_beside_voxels() const {
+    return remaining_bytes(options_.max_bytes, value_bytes(values_.view()));
+  }
+
+  /// The same for the next one: this one and what is kept of the first stay meanwhile.
+  std::uint64_t room_beside_now() const {
+    const std::uint64_t sizes = now_.sizes ? now_.sizes->by_edge.bytes() : 0;
+    const std::uint64_t now =
+        held_bytes(now_.sides->lattice.vertex_count(), now_.analysis.surface.points.size(), sizes);
+    const std::uint64_t first = held_bytes(0, repair_.before.surface.points.size(), 0);
+    return remaining_bytes(room_beside_voxels(), now + first);
   }
 
   std::vector<bool> changed_by(const Outcome& outcome) const {
@@ -274,8 +295,8 @@ class Repairer {
 
   IsoLevel level_;
   const RepairRequest& request_;
-  const AnalysisOptions& options_;
   VoxelValues values_;
+  const AnalysisOptions& options_;
   Workings now_;
   std::vector<Target> named_;                // that are left
   std::vector<Target> put_off_;              // their removal spoiled others
@@ -295,6 +316,7 @@ Repair repair_loops(const AnyGridView& grid, const IsoLevel& level, const Repair
     throw InvalidArgument(
         "with an open boundary handles and tunnels are not told apart, so none can be removed");
   }
+  check_memory("repair", value_bytes(grid), options.max_bytes);
   return Repairer(grid, level, request, options).run();
 }
 

@@ -44,6 +44,10 @@ std::optional<double> nearest_value(double wanted, bool inside, const IsoLevel& 
 
 }  // namespace
 
+std::uint64_t value_bytes(const AnyGridView& grid) {
+  return std::visit([](const auto& view) { return std::uint64_t{view.values.size_bytes()}; }, grid);
+}
+
 VoxelValues::VoxelValues(const AnyGridView& grid) {
   std::visit(
       [&]<class T>(const GridView<T>& view) {

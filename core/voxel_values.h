@@ -11,6 +11,9 @@
 
 namespace isoloop {
 
+/// Bytes that a copy of the grid's values takes.
+std::uint64_t value_bytes(const AnyGridView& grid);
+
 /// A copy of a grid's values.
 class VoxelValues {
  public:

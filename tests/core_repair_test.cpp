@@ -175,6 +175,24 @@ TEST(Repair, RefusesLoopsThatDoNotExistAndOpenBoundaries) {
                InvalidArgument);
 }
 
+TEST(Repair, CountsWhatItHoldsBesideTheNextAnalysis) {
+  const SmallVolume volume = testing::torus({40, 40, 40});
+  const auto fits = [&](std::uint64_t bytes, const RepairRequest& request) {
+    try {
+      repair_loops(volume.view(), zero_level, request, {.max_bytes = bytes});
+      return true;
+    } catch (const LimitExceeded&) {
+      return false;
+    }
+  };
+  EXPECT_FALSE(fits(volume.values.size() * sizeof(double) - 1, {}));
+  const RepairRequest cut{.loops = {{LoopKind::handle, 1}}};
+  std::uint64_t one = std::uint64_t{1} << 16;
+  while (!fits(one, {})) one += one / 64;
+  EXPECT_FALSE(fits(one, cut));
+  EXPECT_TRUE(fits(2 * one, cut));
+}
+
 TEST(Repair, LeavesASurfaceWithoutLoopsAsItIs) {
   const SmallVolume ball{std::vector<double>(27, 1.0), {3, 3, 3}};
   const Repair repair = repair_loops(ball.view(), zero_level, {.cut_handles = 5.0, .genus = 0});
