@@ -51,7 +51,7 @@ std::vector<std::uint32_t> gather(const Lattice& lattice, const Visit& visit) {
   all.reserve(total);
   for (auto& layer : layers) {
     all.insert(all.end(), layer.begin(), layer.end());
-    layer = {};
+    layer = std::vector<std::uint32_t>();
   }
   return all;
 }

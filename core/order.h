@@ -56,10 +56,10 @@ std::vector<std::uint32_t> largest_missing(const C& complex, const BitSet& known
       known.for_each_missing(begin, end, [&](std::uint32_t piece) { visit(c, piece); });
     });
   };
-  std::vector<std::size_t> in_bin(std::size_t{1} << (32 - dropped_bits));
-  tbb::enumerable_thread_specific<std::vector<std::size_t>> counted(in_bin);
+  std::vector<std::uint32_t> in_bin(std::size_t{1} << (31 - dropped_bits));  // no size has a sign
+  tbb::enumerable_thread_specific<std::vector<std::uint32_t>> counted(in_bin);
   for_each_missing([&](std::size_t, std::uint32_t piece) { ++counted.local()[bin(piece)]; });
-  for (const std::vector<std::size_t>& each : counted)
+  for (const std::vector<std::uint32_t>& each : counted)
     std::transform(each.begin(), each.end(), in_bin.begin(), in_bin.begin(), std::plus<>{});
   const auto missing = std::accumulate(in_bin.begin(), in_bin.end(), std::size_t{0});
   std::size_t least = in_bin.size();
@@ -70,10 +70,9 @@ std::vector<std::uint32_t> largest_missing(const C& complex, const BitSet& known
   });
   std::vector<std::uint32_t> pieces;
   pieces.reserve(count);
-  for (std::vector<std::uint32_t>& each : chunks) {
+  for (const std::vector<std::uint32_t>& each : chunks)
     pieces.insert(pieces.end(), each.begin(), each.end());
-    each = {};
-  }
+  chunks = std::vector<std::vector<std::uint32_t>>();  // before the keys come
   sort_from_largest(complex, pieces);
   return pieces;
 }
