@@ -235,6 +235,16 @@ TEST_F(CommandLine, SameBytesForEveryThreadCount) {
   EXPECT_EQ(outputs[0], outputs[2]);
 }
 
+TEST_F(CommandLine, FarMoreThreadsThanCoresFitIntoLittleMemory) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "AddressSanitizer takes more than the limit for itself";
+#endif
+  ASSERT_EQ(run({"generate", "torus", "--size", "64", "-o", "b.vdb"}).exit_code, 0);
+  const ProcessResult result =
+      run({"loops", "b.vdb", "--threads", "128", "--max-memory", "96M", "--json", "-"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+}
+
 TEST_F(CommandLine, ScanCountsAsCountDoes) {
   ASSERT_EQ(run({"generate", "plate", "--size", "24", "--holes", "2", "-o", "p.vdb"}).exit_code, 0);
   const ProcessResult scanned = run({"scan", "p.vdb", "--from", "-1", "--to", "1", "--values", "9",

@@ -1,9 +1,10 @@
 #include "tools/memory_cap.h"
 
 #include <algorithm>
-#include <thread>
 
 #include <sys/resource.h>
+
+#include "core/threads.h"
 
 namespace isoloop {
 
@@ -13,7 +14,7 @@ void cap_memory(std::uint64_t bytes) {
   rlimit data{};
   if (getrlimit(RLIMIT_STACK, &stack) != 0 || getrlimit(RLIMIT_DATA, &data) != 0) return;
   const rlim_t one_stack = stack.rlim_cur == RLIM_INFINITY ? usual_stack : stack.rlim_cur;
-  const rlim_t all_stacks = one_stack * std::max(1U, std::thread::hardware_concurrency());
+  const rlim_t all_stacks = one_stack * thread_count();
   data.rlim_cur = std::min<rlim_t>(data.rlim_max, bytes + all_stacks);
   setrlimit(RLIMIT_DATA, &data);
 }

@@ -6,8 +6,9 @@
 namespace isoloop {
 
 /// From now on an allocation that would bring the process's data over `bytes` throws
-/// std::bad_alloc. The stacks of as many threads as the machine has cores come on top. Where the
-/// system knows no such bound, nothing happens.
+/// std::bad_alloc. The stacks of as many threads as may run here (thread_count()) come on top,
+/// since TBB ends the process where it cannot start one. Where the system knows no such bound,
+/// nothing happens.
 void cap_memory(std::uint64_t bytes);
 
 }  // namespace isoloop
