@@ -67,7 +67,7 @@ class Room {
  public:
   Room(const Lattice& lattice, std::uint64_t vertices, std::uint64_t limit)
       : lattice_(lattice.vertex_count()),
-        layers_(lattice.dims[2]),
+        layers_(lattice.dims[2] + 1),
         vertices_(vertices),
         limit_(limit) {}
 
@@ -85,19 +85,23 @@ class Room {
                           loop_search_bytes(vertices_), limit_, thread_count());
   }
 
-  /// Sides at a time.
-  int passes_at_once(std::uint64_t sizes) const {
-    const auto needed = [&](std::uint64_t sides) {
-      return pass_bytes(lattice_, vertices_, sizes, sides) +
-             slab_bytes(lattice_, layers_, thread_count());
+  struct Passes {
+    int threads = 1;
+    bool both_sides_at_once = false;
+  };
+  Passes passes(std::uint64_t sizes) const {
+    const auto needed = [&](std::size_t threads, std::uint64_t sides) {
+      return pass_bytes(lattice_, vertices_, sizes, sides) + slab_bytes(lattice_, layers_, threads);
     };
-    check_memory("pass", needed(1), limit_);
-    return needed(2) <= limit_ ? 2 : 1;
+    std::size_t threads = thread_count();
+    while (threads > 1 && needed(threads, 1) > limit_) --threads;
+    check_memory("pass", needed(threads, 1), limit_);
+    return {static_cast<int>(threads), needed(threads, 2) <= limit_};
   }
 
  private:
   std::uint64_t lattice_;   // vertices
-  std::uint32_t layers_;    // of these
+  std::uint32_t layers_;    // of pieces
   std::uint64_t vertices_;  // of M
   std::uint64_t limit_;     // bytes
 };
@@ -237,7 +241,7 @@ Workings work_out_loops(const AnyGridView& grid, const IsoLevel& level,
           geodesic_sizes(sides, edges, surface, closest, options.geodesic));
     });
   });
-  const bool at_once = room.passes_at_once(workings.sizes->by_edge.bytes()) == 2;
+  const Room::Passes passes = room.passes(workings.sizes->by_edge.bytes());
   const int loop_searches = room.loop_searches(workings.sizes->by_edge.bytes());
   for (const Side side : {Side::inside, Side::outside})
     (side == Side::inside ? workings.inside : workings.outside).complex =
@@ -245,7 +249,7 @@ Workings work_out_loops(const AnyGridView& grid, const IsoLevel& level,
   const GridComplex& inside = *workings.inside.complex;
   const GridComplex& outside = *workings.outside.complex;
   clock.run("pass", 0.5, seconds.pass, [&] {
-    run_passes(surface, workings, at_once);
+    with_threads(passes.threads, [&] { run_passes(surface, workings, passes.both_sides_at_once); });
     return true;
   });
   if (options.engine == Engine::pair)

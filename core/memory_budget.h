@@ -16,8 +16,8 @@ std::string bytes_text(std::uint64_t bytes);
 /// Throws LimitExceeded, naming the stage and both figures, if it needs more than `limit` bytes.
 void check_memory(const char* stage, std::uint64_t needed, std::uint64_t limit);
 
-/// How many of `threads` there is room for at a time, each of which takes `each` bytes beside
-/// `shared`. Throws as check_memory() does if not for one.
+/// How many of `threads` there is room for at a time, each of which takes `each` bytes, at least 1,
+/// beside `shared`. Throws as check_memory() does if not for one.
 int threads_within(const char* stage, std::uint64_t shared, std::uint64_t each, std::uint64_t limit,
                    std::size_t threads);
 

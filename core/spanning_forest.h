@@ -186,7 +186,7 @@ void join_trees(const C& complex, std::span<const std::uint32_t> tree_of_cell,
   }
 }
 
-/// How many layers a slab of largest_forest() has.
+/// How many layers a slab of largest_forest() has; `threads`: at least 1.
 inline std::uint32_t layers_in_slab(std::uint32_t layers, std::size_t threads) {
   constexpr std::uint32_t least = 2;  // one alone leaves most to the rounds
   constexpr std::uint32_t largest = 8;
@@ -196,7 +196,8 @@ inline std::uint32_t layers_in_slab(std::uint32_t layers, std::size_t threads) {
       std::clamp<std::size_t>(layers / (share * threads), least, largest));
 }
 
-/// Bytes that largest_forest() takes for the slabs at hand and for the rounds at most.
+/// Bytes that largest_forest() takes for the slabs at hand and for the rounds at most; `layers` and
+/// `threads`: at least 1.
 inline std::uint64_t slab_bytes(std::uint64_t cells, std::uint32_t layers, std::size_t threads) {
   const std::uint32_t slab = layers_in_slab(layers, threads);
   const std::uint64_t at_hand = std::min<std::uint64_t>(layers, slab * threads);

@@ -36,7 +36,7 @@ TEST(MemoryBudget, EachStageIsRefusedByNameBeforeItStarts) {
        {"closest", closest_bytes(lattice, surface)},
        {"sizes", sizes_bytes(lattice, surface) + size_search_bytes(surface)},
        {"pass", pass_bytes(lattice, surface, sizes, 1) +
-                    slab_bytes(lattice, p.sides.lattice.dims[2], thread_count())}}};
+                    slab_bytes(lattice, p.sides.lattice.dims[2] + 1, 1)}}};
   for (const auto& [stage, bytes] : stages) {
     const std::string complaint = complaint_within(volume, bytes - 1);
     for (const std::string& part : {std::string(stage), bytes_text(bytes), bytes_text(bytes - 1),
@@ -56,6 +56,15 @@ TEST(MemoryBudget, SearchesForLoopsAreRefusedWhereTheSurfaceIsLarge) {
   EXPECT_NE(complaint_within(volume, needed - 1).find("'loops' needs " + bytes_text(needed)),
             std::string::npos);
   EXPECT_EQ(complaint_within(volume, needed), "");
+}
+
+TEST(MemoryBudget, WhatIsEnoughForOneThreadIsEnoughForSixteen) {
+  const testing::SmallVolume volume = testing::torus({48, 48, 48});
+  std::uint64_t enough = std::uint64_t{1} << 16;
+  with_threads(1, [&] {
+    while (!complaint_within(volume, enough).empty()) enough += enough / 64;
+  });
+  EXPECT_EQ(with_threads(16, [&] { return complaint_within(volume, enough); }), "");
 }
 
 TEST(MemoryBudget, ThreadsAreAsManyAsThereIsRoomFor) {
