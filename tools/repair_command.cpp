@@ -122,14 +122,12 @@ void repair(const CommandFlags& flags) {
               [&result](std::ostream& out, const RunResult&) { write_repair_json(out, result); });
   ProgressLine progress(std::cerr, progress_options(flags.progress));
   RunResult& run = result.run;
-  on_threads(flags.threads, [&] {
-    run = read_run(flags.volume, flags.level);
-    if (!flags.dry_run) check_format(flags, run.volume);
-    result.repair = repair_loops(view(run.volume), run.level, request,
-                                 {.boundary = boundary_of(flags.level),
-                                  .progress = progress.callback(),
-                                  .max_bytes = run.cost.max_bytes});
-  });
+  run = read_run(flags.volume, flags.level);
+  if (!flags.dry_run) check_format(flags, run.volume);
+  result.repair = repair_loops(view(run.volume), run.level, request,
+                               {.boundary = boundary_of(flags.level),
+                                .progress = progress.callback(),
+                                .max_bytes = run.cost.max_bytes});
   check_counts(result.repair.after);
   check_loops(result.repair.after);
   run.cost.peak_bytes = peak_resident_bytes();
@@ -167,7 +165,7 @@ void add_repair_command(CLI::App& app) {
       "  isoloop repair scan.raw --iso 70 --fill-tunnels 30 -o out_256x256x128_uint8.raw\n"
       "  isoloop repair part.vdb --ids h3,t7 -o repaired.vdb\n"
       "  isoloop repair part.vdb --genus 0 --dry-run");
-  command.callback([flags] { repair(*flags); });
+  command.callback([flags] { on_threads(flags->threads, [&] { repair(*flags); }); });
 }
 
 }  // namespace isoloop
