@@ -4,10 +4,12 @@
     tests/bench/thread_shares.py VOLUME [FLAG ...] [--threads 2 4 8 16] [--repeat 5]
                                  [--isoloop PROGRAM]
 
-No stage can take less wall clock than the processor time of its busiest thread: the processor time
-of one thread alone over that bounds how many times faster that many threads make it. Threads take
-part whether the machine has as many cores or fewer; the bound leaves out what cores share, memory
-above all. Prints medians in a table, in Markdown. FLAGs are those of `isoloop loops`.
+A stage takes about as long as its busiest thread is at work: the processor time of one thread alone
+over that estimates how many times faster more threads make it. Threads take part whether the
+machine has as many cores or fewer. The estimate leaves out what cores share, memory above all, and
+is low where there are fewer cores than threads: who starts a short parallel stretch goes on with it
+while the others wait for a core. Prints medians in a table, in Markdown; "loops" has the report in
+it. FLAGs are those of `isoloop loops`.
 Needs Linux, whose /proc tells each thread's time."""
 
 import argparse
@@ -41,7 +43,7 @@ def shares(command):
     pending = b""
     while True:
         ready, _, _ = select.select([process.stderr], [], [], 0.01)
-        latest = seconds_by_thread(process) or latest
+        latest = {**latest, **seconds_by_thread(process)}
         if not ready:
             continue
         data = os.read(process.stderr.fileno(), 1 << 16)
@@ -83,6 +85,8 @@ def main():
     print("| stage | CPU s, 1 thread | " + " | ".join(f"{n} threads" for n in counts[1:]) + " |")
     print("|" + "---|" * (len(counts) + 1))
     for stage in STAGES:
+        if not busiest[1][stage]:
+            continue  # a surface without loops is done after the first
         alone = statistics.median(busiest[1][stage])
         bounds = [alone / statistics.median(busiest[count][stage]) for count in counts[1:]]
         print(f"| {stage} | {alone:.2f} | " + " | ".join(f"{b:.1f} ×" for b in bounds) + " |")
