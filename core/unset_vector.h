@@ -11,11 +11,6 @@ namespace isoloop {
 template <class T>
 struct UnsetAllocator : std::allocator<T> {
   template <class U>
-  struct rebind {
-    using other = UnsetAllocator<U>;
-  };
-
-  template <class U>
   void construct(U* place) noexcept {
     ::new (static_cast<void*>(place)) U;
   }
