@@ -36,8 +36,8 @@ class DisjointSets {
   }
 
   /// find() that other threads may call at the same time, and unite_shared() too: the root then may
-  /// be one no more. Whatever is stored for a member that has a parent is an ancestor of it, so that
-  /// threads that halve one path lead nobody astray.
+  /// be one no more. Whatever is stored for a member that has a parent is an ancestor of it, so
+  /// that threads that halve one path lead nobody astray.
   std::uint32_t find_shared(std::uint32_t member) {
     for (;;) {
       const std::atomic_ref entry(parent_[member]);
