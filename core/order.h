@@ -42,7 +42,7 @@ void sort_from_largest(const C& complex, std::vector<std::uint32_t>& pieces) {
 /// more, and all where they are few. Halves, at least, what sorting them all would hold in memory.
 template <Complex C>
 std::vector<std::uint32_t> largest_missing(const C& complex, const BitSet& known) {
-  constexpr std::size_t few = 1 << 20;
+  constexpr std::size_t few = 1 << 16;
   constexpr int dropped_bits = 16;  // of a size: what is left are its exponent and 7 bits more
   constexpr std::uint32_t chunk = 1 << 18;  // numbers of pieces
   const auto bin = [&](std::uint32_t piece) {
