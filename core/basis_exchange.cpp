@@ -9,18 +9,15 @@ namespace isoloop {
 
 BasisExchange::BasisExchange(const Surface& surface, const SurfaceClasses& classes, Side side,
                              std::vector<BasisMember> members)
-    : members_(std::move(members)),
-      searches_([&surface, &classes, side] { return LoopSearch(surface, classes, side); }) {
+    : members_(std::move(members)), surface_(surface), classes_(classes), side_(side) {
   keep_shortest();
 }
 
 std::vector<SearchCost> BasisExchange::search(std::span<const SearchStart> starts) {
-  for (LoopSearch& search : searches_) look_for_exchanges(search);
+  searches_.for_each([&](LoopSearch& search) { look_for_exchanges(search); });
   std::vector<SearchResult> results(starts.size());
   tbb::parallel_for(std::size_t{0}, starts.size(), [&](std::size_t s) {
-    bool is_ready = false;
-    LoopSearch& search = searches_.local(is_ready);
-    if (!is_ready) look_for_exchanges(search);
+    LoopSearch& search = searches_.local([&] { return new_search(); });
     const SearchStart& start = starts[s];
     results[s] = search.shortest_of_each_class(start.vertex, start.limits, start.crossing);
   });
@@ -33,6 +30,12 @@ std::vector<SearchCost> BasisExchange::search(std::span<const SearchStart> start
   }
   if (members_.size() > rank) keep_shortest();
   return costs;
+}
+
+LoopSearch BasisExchange::new_search() const {
+  LoopSearch search(surface_, classes_, side_);
+  look_for_exchanges(search);
+  return search;
 }
 
 /// A loop can take the place of any of the members that sum to its class; of the longest, best.

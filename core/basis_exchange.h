@@ -5,10 +5,9 @@
 #include <span>
 #include <vector>
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include "core/certificate.h"
 #include "core/loop_search.h"
+#include "core/per_thread.h"
 #include "core/surface.h"
 #include "core/z2_basis.h"
 
@@ -51,12 +50,16 @@ class BasisExchange {
   std::vector<SearchCost> search(std::span<const SearchStart> starts);
 
  private:
+  LoopSearch new_search() const;
   void look_for_exchanges(LoopSearch& search) const;
   void keep_shortest();
 
   std::vector<BasisMember> members_;
   Z2Basis basis_;  // vector k is the class of members_[k]
-  tbb::enumerable_thread_specific<LoopSearch> searches_;
+  const Surface& surface_;
+  const SurfaceClasses& classes_;
+  Side side_;
+  PerThread<LoopSearch> searches_;
 };
 
 }  // namespace isoloop

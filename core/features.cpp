@@ -6,15 +6,14 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <optional>
 #include <queue>
 #include <utility>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include "core/errors.h"
+#include "core/per_thread.h"
 #include "core/threads.h"
 #include "core/triangle_fans.h"
 
@@ -309,12 +308,9 @@ std::vector<Feature> features_of(const Surface& surface, const std::vector<Loop>
   const std::uint64_t room =
       options.max_bytes - (surface_share + fans_share + search_share) * vertices;
   const TriangleFans fans(surface);
-  std::vector<std::optional<Sweep>> sweeps(static_cast<std::size_t>(searches));
   std::atomic<std::uint64_t> kept = 0;
-  const auto run = [&](std::size_t i) {
-    auto& sweep = sweeps[static_cast<std::size_t>(tbb::this_task_arena::current_thread_index())];
-    if (!sweep) sweep.emplace(surface, fans, options.ratio);
-    features[i] = sweep->run(loops[i]);
+  const auto run = [&](Sweep& sweep, std::size_t i) {
+    features[i] = sweep.run(loops[i]);
     features[i].vertices.shrink_to_fit();
     kept += sizeof(std::uint32_t) * features[i].vertices.size();
     if (kept <= room) return;
@@ -322,8 +318,10 @@ std::vector<Feature> features_of(const Surface& surface, const std::vector<Loop>
                         ", which is what the limit leaves; raise --max-memory or crop the volume");
   };
   with_threads(searches, [&] {
+    PerThread<Sweep> sweeps;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, loops.size(), 1), [&](const auto& range) {
-      for (std::size_t i = range.begin(); i < range.end(); ++i) run(i);
+      Sweep& sweep = sweeps.local([&] { return Sweep(surface, fans, options.ratio); });
+      for (std::size_t i = range.begin(); i < range.end(); ++i) run(sweep, i);
     });
   });
   return features;

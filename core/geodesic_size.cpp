@@ -5,10 +5,10 @@
 #include <limits>
 
 #include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include "core/bounded_search.h"
+#include "core/per_thread.h"
 #include "core/surface_hierarchy.h"
 #include "core/vertex_pairs.h"
 
@@ -104,10 +104,10 @@ Ball ball_around(const VisitAll& visit_all) {
 /// `radius` does not suffice to reach the ball around the partners.
 void search_pairs(const EdgeGraph& graph, const std::vector<Vec3>& points, const VertexPairs& pairs,
                   double radius, std::vector<float>& lengths) {
-  tbb::enumerable_thread_specific<BoundedSearch> searches;
+  PerThread<BoundedSearch> searches;
   const tbb::blocked_range<std::uint32_t> sources(0, pairs.source_count(), 64);
   tbb::parallel_for(sources, [&](const auto& range) {
-    BoundedSearch& search = searches.local();
+    BoundedSearch& search = searches.local([] { return BoundedSearch(); });
     for (std::uint32_t source = range.begin(); source < range.end(); ++source) {
       const auto begin = pairs.partner.begin() + pairs.first[source];
       const auto end = pairs.partner.begin() + pairs.first[source + 1];

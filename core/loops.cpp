@@ -8,12 +8,12 @@
 #include <utility>
 
 #include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include "core/errors.h"
 #include "core/killing_border.h"
 #include "core/loop_search.h"
+#include "core/per_thread.h"
 #include "core/z2_basis.h"
 
 namespace isoloop {
@@ -203,13 +203,13 @@ std::vector<Loop> loops_of_side(const Surface& surface, const SurfaceClasses& cl
   const LoopFinder finder(surface, classes, side, closest);
   std::vector<Loop> loops(side.pass.killing.size());
   const Side seen_from = side_of(kind_on(surface.boundary, side.complex.side()));
-  tbb::enumerable_thread_specific<LoopSearch> searches(
-      [&] { return LoopSearch(surface, classes, seen_from); });
+  PerThread<LoopSearch> searches;
   // Large sizes search far: taken first and one by one, they do not wait at the end.
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, loops.size(), 1), [&](const auto& range) {
+    LoopSearch& search = searches.local([&] { return LoopSearch(surface, classes, seen_from); });
     for (std::size_t k = range.begin(); k < range.end(); ++k) {
       const std::size_t i = loops.size() - 1 - k;
-      loops[i] = finder.find(static_cast<std::uint32_t>(i), searches.local());
+      loops[i] = finder.find(static_cast<std::uint32_t>(i), search);
     }
   });
   return loops;

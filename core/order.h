@@ -10,11 +10,11 @@
 
 #include <boost/sort/spreadsort/integer_sort.hpp>
 #include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include "core/bit_set.h"
 #include "core/complex.h"
+#include "core/per_thread.h"
 
 namespace isoloop {
 
@@ -49,24 +49,27 @@ std::vector<std::uint32_t> largest_missing(const C& complex, const BitSet& known
     return std::bit_cast<std::uint32_t>(complex.size(piece)) >> dropped_bits;
   };
   std::vector<std::vector<std::uint32_t>> chunks(complex.piece_bound() / chunk + 1);
-  const auto for_each_missing = [&](const auto& visit) {
-    tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t c) {
-      const auto begin = static_cast<std::uint32_t>(c) * chunk;
-      const std::uint32_t end = begin + std::min(chunk, complex.piece_bound() - begin);
-      known.for_each_missing(begin, end, [&](std::uint32_t piece) { visit(c, piece); });
-    });
+  const auto for_each_missing = [&](std::size_t c, const auto& visit) {
+    const auto begin = static_cast<std::uint32_t>(c) * chunk;
+    known.for_each_missing(begin, begin + std::min(chunk, complex.piece_bound() - begin), visit);
   };
   std::vector<std::uint32_t> in_bin(std::size_t{1} << (31 - dropped_bits));  // no size has a sign
-  tbb::enumerable_thread_specific<std::vector<std::uint32_t>> counted(in_bin);
-  for_each_missing([&](std::size_t, std::uint32_t piece) { ++counted.local()[bin(piece)]; });
-  for (const std::vector<std::uint32_t>& each : counted)
-    std::transform(each.begin(), each.end(), in_bin.begin(), in_bin.begin(), std::plus<>{});
+  PerThread<std::vector<std::uint32_t>> counters;
+  tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t c) {
+    std::vector<std::uint32_t>& counted = counters.local([&] { return in_bin; });
+    for_each_missing(c, [&](std::uint32_t piece) { ++counted[bin(piece)]; });
+  });
+  counters.for_each([&](const std::vector<std::uint32_t>& counted) {
+    std::transform(counted.begin(), counted.end(), in_bin.begin(), in_bin.begin(), std::plus<>{});
+  });
   const auto missing = std::accumulate(in_bin.begin(), in_bin.end(), std::size_t{0});
   std::size_t least = in_bin.size();
   std::size_t count = 0;
   while (count < missing && (count < few || count < missing / 8)) count += in_bin[--least];
-  for_each_missing([&](std::size_t c, std::uint32_t piece) {
-    if (bin(piece) >= least) chunks[c].push_back(piece);
+  tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t c) {
+    for_each_missing(c, [&](std::uint32_t piece) {
+      if (bin(piece) >= least) chunks[c].push_back(piece);
+    });
   });
   std::vector<std::uint32_t> pieces;
   pieces.reserve(count);
