@@ -34,11 +34,11 @@ isoloop_add_tests(isoloop_core_tests
     core_order_test.cpp
     core_pair_loops_test.cpp
     core_pair_test.cpp
+    core_per_thread_test.cpp
+    core_plateau_test.cpp
     core_repair_test.cpp
     core_rows_test.cpp
     core_run_both_test.cpp
-    core_per_thread_test.cpp
-    core_plateau_test.cpp
     core_scan_test.cpp
     core_shortest_basis_test.cpp
     core_sides_test.cpp

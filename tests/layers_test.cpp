@@ -1,6 +1,7 @@
 // The layout is the architecture: what includes what.
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <set>
 #include <string>
@@ -59,6 +60,34 @@ TEST(Layers, OnlyTheCutOfCubesReadsItsTables) {
   for (const auto& [name, file] : includes_of("core"))
     EXPECT_TRUE(name != "core/cube.h" || starts_with_any(file, {"cube"}) || file == "sides.h")
         << file;
+}
+
+/// The number of each header's room in README's table.
+std::map<std::string, int> rooms_of_core() {
+  static const std::regex name("`([a-z0-9_]+)`");
+  std::ifstream readme(fs::path(ISOLOOP_SOURCE) / "README.md");
+  std::map<std::string, int> rooms;
+  bool begun = false;
+  int row = 0;
+  for (std::string line; std::getline(readme, line); ++row) {
+    begun = begun || line.rfind("The rooms of `core/`", 0) == 0;
+    if (!begun || line.rfind("| `", 0) != 0) continue;
+    const std::string headers = line.substr(0, line.find('|', 1));
+    for (std::sregex_iterator i(headers.begin(), headers.end(), name), end; i != end; ++i)
+      rooms.emplace((*i)[1], row);
+  }
+  return rooms;
+}
+
+TEST(Layers, RoomsOfCoreSeeThemselvesAndThoseBefore) {
+  const std::map<std::string, int> rooms = rooms_of_core();
+  for (const auto& [name, file] : includes_of("core")) {
+    if (!starts_with_any(name, {"core/"})) continue;
+    const auto from = rooms.find(fs::path(file).stem());
+    const auto to = rooms.find(fs::path(name).stem());
+    ASSERT_TRUE(from != rooms.end() && to != rooms.end()) << file << " or " << name;
+    EXPECT_LE(to->second, from->second) << file << " includes " << name;
+  }
 }
 
 }  // namespace

@@ -88,8 +88,8 @@ def main():
         if not busiest[1][stage]:
             continue  # a surface without loops is done after the first
         alone = statistics.median(busiest[1][stage])
-        bounds = [alone / statistics.median(busiest[count][stage]) for count in counts[1:]]
-        print(f"| {stage} | {alone:.2f} | " + " | ".join(f"{b:.1f} ×" for b in bounds) + " |")
+        estimates = [alone / statistics.median(busiest[count][stage]) for count in counts[1:]]
+        print(f"| {stage} | {alone:.2f} | " + " | ".join(f"{e:.1f} ×" for e in estimates) + " |")
 
 
 if __name__ == "__main__":
