@@ -34,9 +34,16 @@ Rounded operator*(const Rounded& a, const Rounded& b) {
                        Rounded::unit * std::abs(product) + Rounded::underflow};
 }
 
-/// A sum of by_power[k] e^k with an infinitesimal e > 0; up to twice the discriminant's degree.
+/// The discriminant's degree in the levels: no polynomial here has a higher one.
+constexpr std::size_t most_factors = 4;
+
+/// By how much a level of 0 is raised, as a power of what the others are lowered by. More than
+/// most_factors, or raising one level would weigh as much as lowering several does.
+constexpr std::size_t zero_power = most_factors + 1;
+
+/// A sum of by_power[k] e^k with an infinitesimal e > 0.
 struct Infinitesimal {
-  std::array<Integer, 9> by_power{};
+  std::array<Integer, most_factors * zero_power + 1> by_power{};
 
   int sign() const {
     for (const Integer& factor : by_power)
@@ -65,10 +72,15 @@ Infinitesimal operator*(const Infinitesimal& a, const Infinitesimal& b) {
   return product;
 }
 
-double largest_of(const CornerLevels& levels) {
+/// The levels times a power of two that brings the largest to about 1.
+std::array<Rounded, 8> scaled_levels(const CornerLevels& levels) {
   double largest = 0.0;
   for (const double level : levels) largest = std::max(largest, std::abs(level));
-  return largest;
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  std::array<Rounded, 8> scaled;
+  for (int c = 0; c < 8; ++c) scaled[c] = {std::ldexp(levels[c], -exponent), Rounded::underflow};
+  return scaled;
 }
 
 /// The levels times a power of two that makes them whole.
@@ -88,26 +100,27 @@ std::array<Integer, 8> whole_levels(const CornerLevels& levels) {
   return whole;
 }
 
-/// Sign of polynomial(levels), exact: by integers where doubles cannot tell. Where it is 0, that
-/// after all levels but those that are 0 are lowered by next to nothing, and those that are 0
-/// raised by next to nothing of that. The polynomial must be homogeneous, of degree 4 at most.
-template <class Polynomial>
-int sign_of(const CornerLevels& levels, const Polynomial& polynomial) {
-  int exponent = 0;
-  std::frexp(largest_of(levels), &exponent);
-  std::array<Rounded, 8> scaled;
-  for (int c = 0; c < 8; ++c) scaled[c] = {std::ldexp(levels[c], -exponent), Rounded::underflow};
-  const Rounded value = polynomial(scaled);
-  if (std::abs(value.value) > 2 * value.error) return value.value > 0 ? 1 : -1;
+/// The levels as the rule for ties has them: all but those that are 0 lowered by next to nothing,
+/// and those that are 0 raised by next to nothing of that.
+std::array<Infinitesimal, 8> moved_levels(const CornerLevels& levels) {
   const std::array<Integer, 8> exact = whole_levels(levels);
-  const int sign = Integer(polynomial(exact)).sign();
-  if (sign != 0) return sign;
   std::array<Infinitesimal, 8> moved;
   for (int c = 0; c < 8; ++c) {
+    const bool is_zero = levels[c] == 0.0;
     moved[c].by_power[0] = exact[c];
-    moved[c].by_power[levels[c] == 0.0 ? 2 : 1] = levels[c] == 0.0 ? 1 : -1;
+    moved[c].by_power[is_zero ? zero_power : 1] = is_zero ? 1 : -1;
   }
-  return polynomial(moved).sign();
+  return moved;
+}
+
+/// Sign of polynomial(levels), exact: by integers where doubles cannot tell. Where it is 0, that
+/// at moved_levels(). The polynomial must be homogeneous, of degree most_factors at most.
+template <class Polynomial>
+int sign_of(const CornerLevels& levels, const Polynomial& polynomial) {
+  const Rounded value = polynomial(scaled_levels(levels));
+  if (std::abs(value.value) > 2 * value.error) return value.value > 0 ? 1 : -1;
+  const int sign = Integer(polynomial(whole_levels(levels))).sign();
+  return sign != 0 ? sign : polynomial(moved_levels(levels)).sign();
 }
 
 /// Corners of the four edges along `axis` in ring order, at their lower ends.
@@ -161,20 +174,56 @@ std::optional<Side> joined_side(const CornerLevels& levels, int axis, int end_si
   return sign == end_sign ? Side::inside : Side::outside;
 }
 
+/// Whole numbers as doubles of magnitude 1 or less, all times the same power of two.
+Quadratic<double> scaled_down(const Quadratic<Integer>& q) {
+  unsigned bits = 0;
+  for (const Integer& number : {q.first, q.middle, q.last})
+    if (!number.is_zero()) bits = std::max(bits, static_cast<unsigned>(msb(abs(number))) + 1);
+  constexpr unsigned kept = std::numeric_limits<double>::digits;
+  const unsigned dropped = bits > kept ? bits - kept : 0;
+  const auto scaled = [&](const Integer& number) {
+    const double magnitude = Integer(abs(number) >> dropped).convert_to<double>();
+    return std::ldexp(number.sign() < 0 ? -magnitude : magnitude,
+                      static_cast<int>(dropped) - static_cast<int>(bits));
+  };
+  return {scaled(q.first), scaled(q.middle), scaled(q.last)};
+}
+
+/// q times a positive number, as the levels move to where they are: where q vanishes altogether,
+/// what it is like next to nothing before.
+Quadratic<double> limit_quadratic(const CornerLevels& levels, int axis) {
+  constexpr double clearly = 1e6;
+  const auto rounded = saddle_quadratic(scaled_levels(levels), axis);
+  for (const Rounded& factor : {rounded.first, rounded.middle, rounded.last})
+    if (std::abs(factor.value) > clearly * factor.error)
+      return {rounded.first.value, rounded.middle.value, rounded.last.value};
+  const auto q = saddle_quadratic(moved_levels(levels), axis);
+  std::size_t power = 0;
+  const auto vanishes_at = [&](std::size_t k) {
+    return q.first.by_power[k].is_zero() && q.middle.by_power[k].is_zero() &&
+           q.last.by_power[k].is_zero();
+  };
+  while (power + 1 < q.first.by_power.size() && vanishes_at(power)) ++power;
+  return scaled_down({q.first.by_power[power], q.middle.by_power[power], q.last.by_power[power]});
+}
+
+/// The roots of q, ascending, as shares of the cube's edge along the axis.
+std::array<double, 2> roots_of(const Quadratic<double>& q) {
+  const double first = std::abs(q.first);
+  const double last = std::abs(q.last);
+  const double reach =
+      std::abs(q.middle) + std::sqrt(std::max(0.0, q.middle * q.middle - 4 * q.first * q.last));
+  if (reach == 0.0) {  // a double root, at an end unless q vanishes altogether
+    const double root = first > last ? 1.0 : last > first ? 0.0 : 0.5;
+    return {root, root};
+  }
+  return {2 * first / (2 * first + reach), reach / (2 * last + reach)};
+}
+
 /// Along each axis the roots of q, ascending, as shares of the cube's edge.
 std::array<std::array<double, 2>, 3> tunnel_roots(const CornerLevels& levels) {
-  const double largest = largest_of(levels);
-  CornerLevels scaled = levels;
-  for (double& level : scaled) level /= largest;
   std::array<std::array<double, 2>, 3> roots{};
-  for (int axis = 0; axis < 3; ++axis) {
-    const Quadratic<double> q = saddle_quadratic(scaled, axis);
-    const double first = std::abs(q.first);
-    const double last = std::abs(q.last);
-    const double reach =
-        std::abs(q.middle) + std::sqrt(std::max(0.0, q.middle * q.middle - 4 * q.first * q.last));
-    roots[axis] = {2 * first / (2 * first + reach), reach / (2 * last + reach)};
-  }
+  for (int axis = 0; axis < 3; ++axis) roots[axis] = roots_of(limit_quadratic(levels, axis));
   return roots;
 }
 
@@ -183,12 +232,14 @@ Vec3 box_corner(const std::array<std::array<double, 2>, 3>& roots, int corner) {
   return {roots[0][corner & 1], roots[1][corner >> 1 & 1], roots[2][corner >> 2 & 1]};
 }
 
+/// The interpolant's value, in units of about the largest level.
 double interpolate(const CornerLevels& levels, const Vec3& point) {
+  const std::array<Rounded, 8> scaled = scaled_levels(levels);
   double sum = 0.0;
   for (int c = 0; c < 8; ++c) {
     double weight = 1.0;
     for (int a = 0; a < 3; ++a) weight *= (c >> a & 1) != 0 ? point[a] : 1 - point[a];
-    sum += weight * levels[c];
+    sum += weight * scaled[c].value;
   }
   return sum;
 }

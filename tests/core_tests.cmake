@@ -13,6 +13,7 @@ isoloop_add_tests(isoloop_core_tests
     core_cube_interior_test.cpp
     core_cube_sweep_test.cpp
     core_cube_test.cpp
+    core_cube_ties_test.cpp
     core_disjoint_sets_test.cpp
     core_dual_pass_test.cpp
     core_edge_index_test.cpp
@@ -55,6 +56,7 @@ isoloop_add_tests(isoloop_core_tests
     core_voxel_values_test.cpp
     core_z2_basis_test.cpp
     core_zero_labels_test.cpp
+    cube_geometry.cpp
     exact_basis.cpp
     explicit_complex.cpp
     layers_test.cpp
@@ -69,7 +71,7 @@ isoloop_add_tests(isoloop_core_tests
 target_compile_definitions(isoloop_core_tests PRIVATE ISOLOOP_SOURCE="${PROJECT_SOURCE_DIR}")
 
 # Ten thousand random volumes through both engines and repaired to genus 0, five hundred beside the
-# least length that loops can have, a million cubes and sixty fields beside their refinements, and
+# least length that loops can have, millions of cubes and sixty fields beside their refinements, and
 # scans of real volumes beside 256 counts each: minutes, so neither built nor run by default.
 #   cmake --build --preset release --target isoloop_slow_tests
 #   build/release/tests/isoloop_slow_tests
@@ -79,6 +81,7 @@ add_executable(isoloop_slow_tests EXCLUDE_FROM_ALL
   core_scan_slow_test.cpp
   core_shortest_basis_slow_test.cpp
   core_topology_slow_test.cpp
+  cube_geometry.cpp
   exact_basis.cpp
   random_volumes.cpp
   refined_cube.cpp

@@ -1,9 +1,11 @@
 // Trilinear topology at size, against refined cubes: minutes, so not among the default tests.
 #include <cstdio>
+#include <random>
 
 #include <gtest/gtest.h>
 
 #include "core/analysis.h"
+#include "tests/cube_ties.h"
 #include "tests/cut_of_levels.h"
 #include "tests/refined_field.h"
 
@@ -20,6 +22,27 @@ TEST(TopologySlow, AMillionCubesHaveThePartsOfTheRefinedCubes) {
       "than at more, %d differ\n",
       comparison.cubes, comparison.tunnels, comparison.unresolved, comparison.misled,
       comparison.wrong);
+}
+
+TEST(TopologySlow, AllCubesOfFiveLevelsObeyTheRuleForTies) {
+  const testing::TiedCubes found = testing::check_all_cubes(5);
+  EXPECT_EQ(found.cubes, 390'625);
+  EXPECT_EQ(found.against_the_rule, 0);
+  EXPECT_EQ(found.against_the_sweep, 0);
+  EXPECT_EQ(found.off_the_cube + found.crossings + found.without_area, 0);
+  std::printf("%d cubes of five levels: %d have a tunnel\n", found.cubes, found.tunnels);
+}
+
+TEST(TopologySlow, AMillionCubesOfSmallNumbersHaveVerticesWithinAndNoCrossing) {
+  std::mt19937 random(17);
+  testing::TiedCubes found;
+  for (int i = 0; i < 1'000'000; ++i) {
+    CornerLevels levels{};
+    for (double& level : levels) level = static_cast<double>(random() % 17) - 8;
+    testing::check_geometry(levels, found);
+  }
+  EXPECT_EQ(found.off_the_cube + found.crossings + found.without_area, 0);
+  std::printf("%d cubes of small numbers: %d have a tunnel\n", found.cubes, found.tunnels);
 }
 
 struct FieldKind {

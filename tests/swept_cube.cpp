@@ -61,10 +61,10 @@ std::array<int, 4> parts_of(const std::array<double, 4>& slice) {
 
 }  // namespace
 
-SweptCube sweep(const std::array<double, 8>& values_at_corners) {
+SweptCube sweep(const std::array<double, 8>& values_at_corners, double lowered_by) {
   std::array<double, 8> values = values_at_corners;
   for (double& value : values)
-    if (value != 0) value -= 1e-9;
+    if (value != 0) value -= lowered_by;
   const std::vector<double> at = events(values);
   std::vector<double> places{0.0};
   for (std::size_t i = 0; i + 1 < at.size(); ++i)

@@ -13,7 +13,7 @@ struct SweptCube {
 };
 
 /// `values`: at corner dx + 2 dy + 4 dz, of magnitude about 1. Ties as if all values but those that
-/// are 0 were lowered by next to nothing: a saddle at 0 is outside.
-SweptCube sweep(const std::array<double, 8>& values);
+/// are 0 were lowered by next to nothing, which is `lowered_by`: a saddle at 0 is outside.
+SweptCube sweep(const std::array<double, 8>& values, double lowered_by = 1e-9);
 
 }  // namespace isoloop::oracle
