@@ -13,7 +13,9 @@ namespace isoloop {
 
 /// Keys that are not negative, with a value each; of equal keys the lesser value comes first. Lies
 /// in buckets (Dial, Communications of the ACM 12, 1969), of which only the one that is being
-/// emptied is kept sorted, the least last.
+/// emptied is kept in order: sorted, the least last, while it is short, else as a heap. A bucket is
+/// long where most steps are far shorter than the longest, as between voxels that are far taller
+/// than wide.
 class BucketQueue {
  public:
   struct Item {
@@ -31,6 +33,7 @@ class BucketQueue {
     for (auto& bucket : buckets_) bucket.clear();
     size_ = 0;
     current_ = 0;
+    is_heap_ = false;
   }
 
   void push(float key, std::uint32_t value) {
@@ -38,11 +41,18 @@ class BucketQueue {
     const std::uint64_t item = std::uint64_t{std::bit_cast<std::uint32_t>(key)} << 32 | value;
     const auto number = static_cast<std::uint64_t>(key * per_bucket_);
     auto& bucket = buckets_[number % bucket_count];
-    if (number == current_)
-      bucket.insert(std::upper_bound(bucket.begin(), bucket.end(), item, std::greater<>{}), item);
-    else
-      bucket.push_back(item);
     ++size_;
+    if (number != current_) {
+      bucket.push_back(item);
+    } else if (is_heap_) {
+      bucket.push_back(item);
+      std::push_heap(bucket.begin(), bucket.end(), std::greater<>{});
+    } else {
+      bucket.insert(std::upper_bound(bucket.begin(), bucket.end(), item, std::greater<>{}), item);
+      if (bucket.size() <= longest_sorted) return;
+      std::reverse(bucket.begin(), bucket.end());  // ascending: a heap with the least first
+      is_heap_ = true;
+    }
   }
 
   /// Removes the least. The queue must not be empty.
@@ -52,8 +62,10 @@ class BucketQueue {
       }
       auto& next = buckets_[current_ % bucket_count];
       std::sort(next.begin(), next.end(), std::greater<>{});
+      is_heap_ = false;
     }
     auto& bucket = buckets_[current_ % bucket_count];
+    if (is_heap_) std::pop_heap(bucket.begin(), bucket.end(), std::greater<>{});
     const std::uint64_t item = bucket.back();
     bucket.pop_back();
     --size_;
@@ -63,9 +75,11 @@ class BucketQueue {
 
  private:
   static constexpr std::uint64_t bucket_count = 128;
+  static constexpr std::size_t longest_sorted = 512;
 
   std::array<std::vector<std::uint64_t>, bucket_count> buckets_;  // key, then value
-  std::uint64_t current_ = 0;  // number of the sorted bucket; the others follow it
+  std::uint64_t current_ = 0;  // number of the bucket in order; the others follow it
+  bool is_heap_ = false;       // that bucket
   std::size_t size_ = 0;
   float per_bucket_;
 };

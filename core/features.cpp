@@ -117,8 +117,8 @@ class Sweep {
     for (SweptSide& side : sides) side.last = first;
     Feature feature{.least_girth = loop.length, .mean_girth = loop.length};
     std::size_t fronts = 1;
-    for (std::size_t k = 1; sides[1].open || sides[2].open; ++k) {
-      const double level = static_cast<double>(k) * step;
+    double level = step;
+    while (sides[1].open || sides[2].open) {
       // Beyond the level, so that the corners of the triangles that it crosses are settled.
       settle_up_to(level + longest_edge_, sides);
       const std::array<Front, 3> met = fronts_at(level);
@@ -131,6 +131,7 @@ class Sweep {
         feature.mean_girth += met[s].length;
         ++fronts;
       }
+      level = next_level(level, step);
     }
     feature.mean_girth /= static_cast<double>(fronts);
     const Vec3 chord = difference(sides[2].last.centroid, sides[1].last.centroid);
@@ -201,6 +202,15 @@ class Sweep {
         if (way < distance_[to]) reach(to, way, side != 0 ? side : side_[to]);
       });
     }
+  }
+
+  /// A step on, or more where no vertex lies there: along voxels far longer than wide fronts stay
+  /// within the same triangles for thousands of steps.
+  double next_level(double level, double step) const {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t vertex : rim_)
+      if (distance_[vertex] > level) nearest = std::min<double>(nearest, distance_[vertex]);
+    return std::isfinite(nearest) ? std::max(level + step, nearest) : level + step;
   }
 
   /// The fronts of both sides, from the triangles that the level crosses.

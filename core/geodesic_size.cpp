@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include "core/bounded_search.h"
+#include "core/errors.h"
 #include "core/per_thread.h"
 #include "core/surface_hierarchy.h"
 #include "core/vertex_pairs.h"
@@ -153,31 +154,41 @@ void for_each_pair(const VertexPairs& pairs, std::vector<float>& lengths, const 
 }
 
 /// Lengths between clusters for the open pairs; none comes out below `least`, which the level
-/// before has searched in vain.
-void search_level(const ClusterLevel& level, const VertexPairs& pairs, double least, double radius,
-                  std::vector<float>& lengths) {
+/// before has searched in vain, nor below the straight line.
+void search_level(const Surface& surface, const ClusterLevel& level, const VertexPairs& pairs,
+                  double least, double radius, std::vector<float>& lengths) {
   const auto& cluster = level.cluster_of_vertex;
   PairCollector collector(static_cast<std::uint32_t>(level.centers.size()));
+  const auto at_least = [&](std::uint32_t a, std::uint32_t b) {
+    const double line = distance(scaled_point(surface, a), scaled_point(surface, b));
+    return static_cast<float>(std::max(least, line));
+  };
   const auto settle_or = [&](const auto& use) {
     for_each_pair(pairs, lengths, [&](std::uint32_t a, std::uint32_t b, float& length) {
       if (length != unknown) return;
       if (cluster[a] == cluster[b])
-        length = static_cast<float>(least);
+        length = at_least(a, b);
       else
-        use(cluster[a], cluster[b], length);
+        use(a, b, length);
     });
   };
-  settle_or([&](std::uint32_t a, std::uint32_t b, float&) { collector.count(a, b); });
+  settle_or(
+      [&](std::uint32_t a, std::uint32_t b, float&) { collector.count(cluster[a], cluster[b]); });
   collector.end_of_counting();
-  settle_or([&](std::uint32_t a, std::uint32_t b, float&) { collector.add(a, b); });
+  settle_or(
+      [&](std::uint32_t a, std::uint32_t b, float&) { collector.add(cluster[a], cluster[b]); });
   const VertexPairs between = collector.take();
   std::vector<float> distances(between.partner.size(), unknown);
   search_pairs(level.neighbors, level.centers, between, radius, distances);
   settle_or([&](std::uint32_t a, std::uint32_t b, float& length) {
-    const float found = distances[between.find(a, b)];
-    if (found != unknown) length = std::max(found, static_cast<float>(least));
+    const float found = distances[between.find(cluster[a], cluster[b])];
+    if (found != unknown) length = std::max(found, at_least(a, b));
   });
 }
+
+/// Blocks of the last are larger than any volume, whose sides are at most 2^20 times 10^36 (the
+/// largest spacing over the least) voxels.
+constexpr int most_levels = 150;
 
 std::vector<float> pair_lengths(const Surface& surface, const VertexPairs& pairs,
                                 GeodesicMode mode) {
@@ -187,14 +198,16 @@ std::vector<float> pair_lengths(const Surface& surface, const VertexPairs& pairs
     search_pairs(surface.graph, level.centers, pairs, infinite, lengths);
     return lengths;
   }
-  const Vec3& h = surface.spacing;
-  const double voxel = std::cbrt(h[0] * h[1] * h[2]);
+  const double voxel = block_side(surface.spacing);
   double searched = exact_radius * voxel;
   search_pairs(surface.graph, level.centers, pairs, searched, lengths);
+  int levels = 0;
   for (double block = 2 * voxel;
        std::find(lengths.begin(), lengths.end(), unknown) != lengths.end(); block *= 2) {
+    if (++levels > most_levels)
+      throw SelfCheckFailed("sizes are still unknown where clusters are as large as the volume");
     level = coarser_level(level);
-    search_level(level, pairs, searched, level_radius * block, lengths);
+    search_level(surface, level, pairs, searched, level_radius * block, lengths);
     searched = level_radius * block;
   }
   return lengths;

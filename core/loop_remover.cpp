@@ -31,6 +31,9 @@ LoopSite site_of(const Workings& workings, const Loop& loop) {
       split_class(workings.classes, side, class_of(surface, workings.classes, loop.curves)).other;
   site.crossing = workings.on(side).border_classes.coordinates(site.other).value();
   site.length = loop.length;
+  for (const std::vector<Vec3>& points : drawn_curves(surface, loop))
+    for (std::size_t i = 0; i < points.size(); ++i)
+      site.steps += distance(points[i], points[(i + 1) % points.size()]);
   std::map<std::uint32_t, std::vector<Curve>> by_component;
   for (const Curve& curve : loop.curves)
     by_component[surface.component_of_vertex[curve.front()]].push_back(curve);
@@ -111,7 +114,7 @@ std::optional<std::vector<VoxelChange>> LoopRemover::propose(const LoopSite& loo
   if (loop.spans_components) return std::nullopt;
   const Side side = side_of(loop.kind);
   const MembraneQuery query{loop.crossing, loop.edges, fixed_, changed_};
-  if (auto change = thin_change(side, query, reaches_for(loop.length))) return change;
+  if (auto change = thin_change(side, query, reaches_for(loop.steps))) return change;
   std::vector<std::uint32_t> spanned = finder(side).spanned(query);
   for (int dilations = 0; dilations < 2; ++dilations) {
     if (auto change = passing(side, spanned)) return change;
@@ -120,12 +123,10 @@ std::optional<std::vector<VoxelChange>> LoopRemover::propose(const LoopSite& loo
   return shift(loop);
 }
 
-/// How far to look for membranes from a loop of that length, in the order to be tried.
-std::vector<std::uint32_t> LoopRemover::reaches_for(double length) const {
-  const Vec3& spacing = workings_.analysis.surface.spacing;
-  const double step = std::min({spacing[0], spacing[1], spacing[2]});
+/// How far to look for membranes from a loop of so many steps, in the order to be tried.
+std::vector<std::uint32_t> LoopRemover::reaches_for(double steps) const {
   // No point of a disc that spans a round loop is farther from it than this.
-  const double round = length / (2.0 * std::numbers::pi * step);
+  const double round = steps / (2.0 * std::numbers::pi);
   const auto& dims = workings_.sides->lattice.dims;
   const double farthest = static_cast<double>(dims[0]) + dims[1] + dims[2];
   std::vector<std::uint32_t> distinct;

@@ -30,6 +30,7 @@ struct LoopSite {
   GeneratorSet crossing;             // the handles (or tunnels) that it closes, by generator
   std::vector<std::uint32_t> edges;  // grid edges of the lattice that its vertices lie on
   double length = 0.0;               // unit of the spacing
+  double steps = 0.0;                // its length in voxel indices, whatever the spacing
   /// It does not bound on M's components one by one. A disc has its border on one component, so no
   /// cut or fill along a disc removes the loop: others would join two components or part one.
   bool spans_components = false;
@@ -63,7 +64,7 @@ class LoopRemover {
 
  private:
   MembraneFinder& finder(Side side);
-  std::vector<std::uint32_t> reaches_for(double length) const;
+  std::vector<std::uint32_t> reaches_for(double steps) const;
   std::optional<std::vector<VoxelChange>> thin_change(Side side, const MembraneQuery& query,
                                                       std::vector<std::uint32_t> reaches);
   std::optional<std::vector<VoxelChange>> passing(Side side,

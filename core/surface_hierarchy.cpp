@@ -1,5 +1,6 @@
 #include "core/surface_hierarchy.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -69,7 +70,19 @@ Rows neighbors_of(const EdgeGraph& graph, const std::vector<std::uint32_t>& pare
 
 }  // namespace
 
+double block_side(const Vec3& spacing) {
+  constexpr double most_of_least = 4.0;
+  const auto [least, most] = std::minmax({spacing[0], spacing[1], spacing[2]});
+  if (least == most) return least;
+  return std::min(std::cbrt(spacing[0] * spacing[1] * spacing[2]), most_of_least * least);
+}
+
 ClusterLevel finest_level(const Surface& surface) {
+  constexpr double most_blocks = 1024.0;  // a voxel: block numbers fit 32 bits
+  const double side = block_side(surface.spacing);
+  Vec3 blocks_per_voxel{};
+  for (std::size_t a = 0; a < 3; ++a)
+    blocks_per_voxel[a] = std::min(surface.spacing[a] / side, most_blocks);
   const auto count = static_cast<std::uint32_t>(surface.points.size());
   ClusterLevel level;
   level.cluster_of_vertex.resize(count);
@@ -80,7 +93,8 @@ ClusterLevel finest_level(const Surface& surface) {
     level.cluster_of_vertex[v] = v;
     level.centers[v] = scaled_point(surface, v);
     for (int a = 0; a < 3; ++a)
-      level.blocks[v][a] = static_cast<std::int32_t>(std::floor(surface.points[v][a]));
+      level.blocks[v][a] =
+          static_cast<std::int32_t>(std::floor(surface.points[v][a] * blocks_per_voxel[a]));
   });
   level.neighbors = surface.graph;
   return level;

@@ -11,7 +11,13 @@
 
 namespace isoloop {
 
-/// Level k of the hierarchy: the connected parts of M within blocks of 2^k grid cells a side.
+/// The side of a block of level 0, unit of the spacing: a voxel's, in the mean of its axes, but no
+/// more than four times the least of them. A search that reached as far as voxels are tall would go
+/// round most of M across them.
+double block_side(const Vec3& spacing);
+
+/// Level k of the hierarchy: the connected parts of M within blocks of 2^k block_side() a side (of
+/// fewer along an axis whose voxels are more than a thousand times as long).
 struct ClusterLevel {
   std::vector<std::uint32_t> cluster_of_vertex;     // of M
   std::vector<Vec3> centers;                        // mean of the vertices; index times spacing

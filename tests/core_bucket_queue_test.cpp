@@ -42,6 +42,25 @@ TEST(BucketQueue, TakesTheLeastFirstAndOfEqualKeysTheLesserValue) {
   }
 }
 
+TEST(BucketQueue, StaysInOrderWhereNearlyAllStepsAreFarShorterThanTheLongest) {
+  BucketQueue queue(1e6);
+  std::mt19937 random(4);
+  Reference reference;
+  const auto push = [&](float key) {
+    const auto value = static_cast<std::uint32_t>(random());
+    queue.push(key, value);
+    reference.emplace(key, value);
+  };
+  push(0.0F);
+  for (int taken = 0; taken < 20000; ++taken) {
+    const BucketQueue::Item item = queue.take();
+    ASSERT_EQ(Item(item.key, item.value), reference.top());
+    reference.pop();
+    for (int i = 0; i < 2; ++i) push(item.key + static_cast<float>(random() % 1000) / 500);
+    if (random() % 100 == 0) push(item.key + 1e6F);
+  }
+}
+
 TEST(BucketQueue, ForgetsWhatItHeldWhenCleared) {
   BucketQueue queue(2.0);
   compare(queue, 2.0F, 500, 2);
