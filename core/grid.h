@@ -16,12 +16,22 @@ inline double distance(const Vec3& p, const Vec3& q) {
   return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
 }
 
+/// The spacings that isoloop takes, in any unit of length. Lengths along M are kept in single
+/// precision and volumes in double: both have room for more steps than a grid has.
+inline constexpr double least_spacing = 1e-18;
+inline constexpr double most_spacing = 1e18;
+
+/// Whether it lies between them; not if it is NaN.
+constexpr bool is_spacing(double length) {
+  return length >= least_spacing && length <= most_spacing;
+}
+
 /// A scalar field on dims[0] * dims[1] * dims[2] voxel centres. Not owned.
 template <class T>
 struct GridView {
   std::span<const T> values;    // values[i + dims[0] * (j + dims[1] * k)]
   Index3 dims{};                // each at least 1
-  Vec3 spacing{1.0, 1.0, 1.0};  // unit of length per voxel, each positive and finite
+  Vec3 spacing{1.0, 1.0, 1.0};  // unit of length per voxel, each is_spacing()
 };
 
 /// A grid in the type that its voxels were stored in.

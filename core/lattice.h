@@ -39,6 +39,10 @@ struct Lattice {
 /// Largest vertex count for which edge and face numbers fit 32 bits, with room for second pieces.
 inline constexpr std::uint64_t max_lattice_vertices = 1'300'000'000;
 
+/// Largest voxel index, along an axis, beside which points of M in single precision lie clear of
+/// the voxels.
+inline constexpr std::int64_t max_voxel_index = (std::int64_t{1} << 20) - 1;
+
 inline Lattice make_lattice(const Index3& first, const std::array<std::uint32_t, 3>& dims) {
   return {dims, {1, dims[0], dims[0] * dims[1]}, first};
 }

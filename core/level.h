@@ -4,15 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/grid.h"
 
 namespace isoloop {
 
-/// Non-negative exactly where `value` is inside. Finite: products of two levels stay finite.
+/// Non-negative exactly where `value` is inside. Finite.
 template <class T>
 double level_of(T value, const IsoLevel& level) {
-  constexpr double largest = 1e150;
+  constexpr double largest = std::numeric_limits<double>::max();
   const double difference = static_cast<double>(value) - level.iso;
   const double oriented = level.inside == InsideRule::above ? difference : -difference;
   return std::clamp(oriented, -largest, largest);

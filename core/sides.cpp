@@ -82,6 +82,9 @@ void check_grid(const GridView<T>& grid, const IsoLevel& level) {
   if (count <= 0 || static_cast<std::int64_t>(grid.values.size()) != count)
     throw InvalidArgument("the grid's dimensions do not fit its number of voxels");
   if (std::isnan(level.iso)) throw InvalidArgument("the iso value is NaN: give a number");
+  for (const double length : grid.spacing)
+    if (!is_spacing(length))
+      throw InvalidArgument("the grid's spacing must lie between 1e-18 and 1e18 along each axis");
 }
 
 Lattice lattice_around(const Bounds& bounds, const Index3& grid_dims, Boundary boundary) {
@@ -95,6 +98,10 @@ Lattice lattice_around(const Bounds& bounds, const Index3& grid_dims, Boundary b
       first[a] = std::max<std::int64_t>(first[a], 0);
       last = std::min(last, grid_dims[a] - 1);
     }
+    if (last > max_voxel_index)
+      throw LimitExceeded("the solid lies beyond voxel " + std::to_string(max_voxel_index) +
+                          " along an axis, too far for the precision of its surface: crop the "
+                          "volume");
     const auto extent = static_cast<std::uint64_t>(last - first[a]) + 1;
     if (extent > max_lattice_vertices || count * extent > max_lattice_vertices)
       throw LimitExceeded("the solid's bounding box has more than " +

@@ -2,21 +2,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <string>
 #include <utility>
 
 #include <tbb/parallel_for.h>
 
 #include "core/cube_interior.h"
 #include "core/disjoint_sets.h"
+#include "core/errors.h"
 #include "core/level.h"
 
 namespace isoloop {
 namespace {
 
-/// Where M crosses from the inside end of an edge to its outside end, as a share of its length.
-constexpr double least_share = 1e-3;
+/// How far vertices keep off the grid's vertices, in shares of an edge: enough for single precision
+/// to tell them apart in the cube whose lowest corner is at `lower`.
+double least_share(const Index3& lower) {
+  constexpr double usual = 1e-3;
+  const auto farthest = static_cast<float>(*std::max_element(lower.begin(), lower.end()) + 1);
+  const float precision = std::nextafter(farthest, std::numeric_limits<float>::max()) - farthest;
+  return std::max(usual, 2.0 * precision);
+}
 
+/// Where M crosses an edge, as a share of its length.
 template <class T>
 double share_from_lower(const GridView<T>& grid, const IsoLevel& level, const Index3& lower,
                         int axis) {
@@ -29,7 +39,9 @@ double share_from_lower(const GridView<T>& grid, const IsoLevel& level, const In
   };
   const double from = at(lower);
   const double to = at(upper);
-  return std::clamp(from / (from - to), least_share, 1.0 - least_share);
+  const double gap = from - to;  // of two signs, so it may outgrow a double
+  const double share = std::isfinite(gap) ? from / gap : from / 2 / (from / 2 - to / 2);
+  return std::clamp(share, least_share(lower), 1.0 - least_share(lower));
 }
 
 template <class T>
@@ -57,7 +69,7 @@ void place_rings(const GridView<T>& grid, const IsoLevel& level, const Sides& si
     const auto p = sides.lattice.position(cube);
     Index3 lowest{};
     for (int a = 0; a < 3; ++a) lowest[a] = sides.lattice.first[a] + p[a];
-    const auto ring = tunnel_ring(corner_levels(grid, level, lowest), hub, least_share);
+    const auto ring = tunnel_ring(corner_levels(grid, level, lowest), hub, least_share(lowest));
     for (int i = 0; i < ring_size; ++i)
       for (int a = 0; a < 3; ++a)
         surface.points[ring_vertex(edges, t, i)][a] =
@@ -157,6 +169,16 @@ EdgeGraph::Csr directed_edges(const Surface& surface) {
           static_cast<std::uint32_t>(edges.size())};
 }
 
+/// What searches on M rely on to end.
+void check_length(const Surface& surface, float length, std::uint32_t from, std::uint32_t to) {
+  if (length > 0.0F && std::isfinite(length)) return;
+  const auto& p = surface.points[from];
+  throw SelfCheckFailed("the edge of the surface from its vertex " + std::to_string(from) + " to " +
+                        std::to_string(to) + " has the length " + std::to_string(length) +
+                        ", near voxel (" + std::to_string(p[0]) + ", " + std::to_string(p[1]) +
+                        ", " + std::to_string(p[2]) + ")");
+}
+
 void build_graph(Surface& surface) {
   EdgeGraph& graph = surface.graph;
   graph.csr = directed_edges(surface);
@@ -165,6 +187,7 @@ void build_graph(Surface& surface) {
     const Vec3 p = scaled_point(surface, u);
     graph.for_each_out_edge(u, [&](std::uint32_t v, std::uint32_t edge) {
       graph.lengths[edge] = static_cast<float>(distance(p, scaled_point(surface, v)));
+      check_length(surface, graph.lengths[edge], u, v);
     });
   });
 }

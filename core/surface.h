@@ -62,10 +62,12 @@ inline std::uint32_t ring_vertex(const EdgeIndex& edges, std::size_t tunnel, int
 }
 
 /// Cuts the iso-surface out of `grid`. Combinatorics depend on `sides` alone; a vertex sits where
-/// linear interpolation puts it, kept in [1/1000, 999/1000] of its grid edge, and at 1/2 on edges
-/// that lead out of the grid. The ring round a tunnel: see tunnel_ring(). `sides` must come from
-/// classify(grid, level), `edges` from `sides`. Counts need no graph: without it Surface::graph
-/// stays empty. Throws LimitExceeded where vertices or triangle corners outgrow 32-bit indices.
+/// linear interpolation puts it, kept in [1/1000, 999/1000] of its grid edge (farther off its ends
+/// beyond voxel 8191, as single precision asks for), and at 1/2 on edges that lead out of the grid.
+/// The ring round a tunnel: see tunnel_ring(). `sides` must come from classify(grid, level),
+/// `edges` from `sides`. Counts need no graph: without it Surface::graph stays empty. Throws
+/// LimitExceeded where vertices or triangle corners outgrow 32-bit indices, and SelfCheckFailed
+/// where an edge's length is not finite or not above 0.
 Surface extract_surface(const AnyGridView& grid, const IsoLevel& level, const Sides& sides,
                         const EdgeIndex& edges, bool with_graph = true);
 

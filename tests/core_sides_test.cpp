@@ -49,6 +49,25 @@ TEST(Sides, NaNIsRefusedWithItsPlace) {
   }
 }
 
+TEST(Sides, ASpacingThatSinglePrecisionCannotHoldIsRefused) {
+  const std::vector<float> values{1};
+  for (const double length : {0.0, -1.0, 1e-45, 1e38, std::nan("")})
+    EXPECT_THROW(classify(GridView<float>{values, {1, 1, 1}, {1, length, 1}}, above_half),
+                 InvalidArgument)
+        << length;
+  for (const double length : {least_spacing, most_spacing})
+    EXPECT_NO_THROW(classify(GridView<float>{values, {1, 1, 1}, {1, length, 1}}, above_half));
+}
+
+TEST(Sides, ASolidTooFarOutForSinglePrecisionIsRefused) {
+  std::vector<std::uint8_t> values((std::size_t{1} << 20) + 2);
+  values[values.size() - 3] = 1;
+  const auto dims = Index3{static_cast<std::int64_t>(values.size()), 1, 1};
+  EXPECT_THROW(classify(GridView<std::uint8_t>{values, dims}, above_half), LimitExceeded);
+  std::swap(values[0], values[values.size() - 3]);
+  EXPECT_NO_THROW(classify(GridView<std::uint8_t>{values, dims}, above_half));
+}
+
 TEST(Sides, InfiniteValuesAreVeryLargeOnes) {
   const float inf = std::numeric_limits<float>::infinity();
   const std::vector<float> values{inf, -inf, -inf, inf};

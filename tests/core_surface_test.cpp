@@ -145,6 +145,32 @@ TEST(Surface, VerticesLieStrictlyWithinTheirGridEdges) {
   for (const float length : cut.surface.graph.lengths) EXPECT_GT(length, 0.0F);
 }
 
+TEST(Surface, VerticesFarOutKeepOffTheVoxelsInSinglePrecision) {
+  // A long bar, tied with the iso value at every other voxel, that reaches to where a thousandth
+  // of a voxel rounds to none.
+  constexpr std::int64_t far_out = 1'000'000;
+  for (const std::int64_t start : {std::int64_t{16'000}, std::int64_t{500'000}, far_out}) {
+    const Index3 dims{start + 12, 3, 3};
+    std::vector<float> values(static_cast<std::size_t>(dims[0]) * 9, -1.0F);
+    for (std::int64_t n = 0; n < 9; ++n)
+      for (std::int64_t x = start; x < start + 8; ++x)
+        values[static_cast<std::size_t>(x + dims[0] * n)] = (x + n) % 3 == 0   ? 0.0F
+                                                            : (x + n) % 3 == 1 ? 1e9F
+                                                                               : -1e-9F;
+    const GridView<float> grid{values, dims};
+    const Sides sides = classify(grid, IsoLevel{0.0, InsideRule::above});
+    const EdgeIndex edges(sides);
+    const Surface surface = extract_surface(grid, IsoLevel{0.0, InsideRule::above}, sides, edges);
+    ASSERT_FALSE(surface.points.empty());
+    for (std::size_t v = 0; v < surface.grid_edges.size(); ++v) {
+      const auto axis = surface.grid_edges[v] % 3;
+      const double along = surface.points[v][axis];
+      EXPECT_NE(along, std::floor(along));
+    }
+    for (const float length : surface.graph.lengths) EXPECT_GT(length, 0.0F);
+  }
+}
+
 TEST(Surface, InfiniteVoxelsGiveFinitePoints) {
   SmallVolume volume = testing::white_noise({5, 5, 5}, 1);
   for (std::size_t n = 0; n < volume.values.size(); n += 4)

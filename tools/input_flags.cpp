@@ -271,12 +271,10 @@ Index3 parse_dims(std::string_view text) {
 
 Vec3 parse_spacing(std::string_view text) {
   const std::string complaint = "--spacing " + std::string(text) +
-                                " does not state one or three positive lengths, as in "
-                                "--spacing 0.5 0.5 1.2";
+                                " does not state one or three lengths between 1e-18 and 1e18, as "
+                                "in --spacing 0.5 0.5 1.2";
   const std::vector<double> lengths = parse_list<double>(text, complaint);
-  const bool positive = std::all_of(lengths.begin(), lengths.end(),
-                                    [](double s) { return s > 0.0 && std::isfinite(s); });
-  if (!positive) throw InvalidArgument(complaint);
+  if (!std::all_of(lengths.begin(), lengths.end(), is_spacing)) throw InvalidArgument(complaint);
   if (lengths.size() == 1) return {lengths[0], lengths[0], lengths[0]};
   if (lengths.size() != 3) throw InvalidArgument(complaint);
   return {lengths[0], lengths[1], lengths[2]};

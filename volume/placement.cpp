@@ -55,9 +55,9 @@ void place(Volume& volume, const Placement& placement, const std::optional<Vec3>
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Vec3& column = placement.columns[axis];
     const double length = std::hypot(column[0], column[1], column[2]);
-    if (!std::isfinite(length) || length <= 0.0) {
+    if (!is_spacing(length)) {
       throw InvalidInput(what + ": its header states the spacing " + text(length) + " along " +
-                         axis_names[axis] + way_out);
+                         axis_names[axis] + ", which is not between 1e-18 and 1e18" + way_out);
     }
     if (!std::isfinite(placement.origin[axis])) {
       throw InvalidInput(what + ": its header states an origin that is not finite" + way_out);

@@ -32,9 +32,9 @@ RawLayout layout_for(const std::filesystem::path& path, const RawOptions& option
 
 void check_spacing(const std::filesystem::path& path, const Vec3& spacing) {
   for (const double length : spacing) {
-    if (!std::isfinite(length) || length <= 0.0) {
-      throw InvalidArgument(path.string() + ": the spacing (--spacing) must be positive, not " +
-                            std::to_string(length));
+    if (!is_spacing(length)) {
+      throw InvalidArgument(path.string() +
+                            ": the spacing (--spacing) must lie between 1e-18 and 1e18");
     }
   }
 }

@@ -98,8 +98,9 @@ void set_frame(Volume& volume, const openvdb::math::Transform& transform,
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const openvdb::Vec4d row = matrix.row(static_cast<int>(axis));
     const double length = std::hypot(row[0], row[1], row[2]);
-    if (!std::isfinite(length) || length <= 0.0) {
-      throw InvalidInput(what + " has a transform that flattens axis " + std::to_string(axis));
+    if (!is_spacing(length)) {
+      throw InvalidInput(what + " has a transform that flattens axis " + std::to_string(axis) +
+                         " or blows it up: voxels must be between 1e-18 and 1e18 long");
     }
     volume.spacing[axis] = length;
     volume.direction[axis] = {row[0] / length, row[1] / length, row[2] / length};

@@ -57,8 +57,10 @@ double voxel_length(const Box& box, const VoxelSize& size, const std::string& wh
                           "VOXELS along its longest side, which is " + text(side));
   }
   const double length = size.length ? *size.length : side / static_cast<double>(*size.resolution);
-  if (!std::isfinite(length) || length <= 0.0) {
-    throw InvalidArgument(what + ": --voxel and --resolution must be positive");
+  if (!is_spacing(length)) {
+    throw InvalidArgument(what +
+                          ": --voxel and --resolution must be positive, and voxels between "
+                          "1e-18 and 1e18 long");
   }
   return length;
 }
