@@ -190,6 +190,7 @@ std::vector<Loop> proved_loops(const Workings& workings, const AnalysisOptions& 
     certify(surface, classes, loops);
     if (options.tighten == Tighten::curve) straighten_loops(surface, classes, loops);
   }
+  check_measures(loops);
   return loops;
 }
 

@@ -1,6 +1,7 @@
 #include "core/geodesic.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -199,6 +200,25 @@ Geodesic points_of(const Curve& curve) {
 }
 
 }  // namespace
+
+bool lies_on(const Surface& surface, const TriangleFans& fans, const Geodesic& geodesic) {
+  const auto share_triangle = [&](const SurfacePoint& p, const SurfacePoint& q) {
+    const auto around = fans.triangles(p.edge[0]);
+    return std::any_of(around.begin(), around.end(), [&](std::uint32_t t) {
+      const auto& corners = surface.triangles[t];
+      return std::ranges::all_of(std::array{p.edge[0], p.edge[1], q.edge[0], q.edge[1]},
+                                 [&](std::uint32_t vertex) {
+                                   return std::ranges::find(corners, vertex) != corners.end();
+                                 });
+    });
+  };
+  for (std::size_t i = 0; i < geodesic.size(); ++i) {
+    const SurfacePoint& point = geodesic[i];
+    if (!(point.at >= 0.0 && point.at <= 1.0)) return false;
+    if (!share_triangle(point, geodesic[(i + 1) % geodesic.size()])) return false;
+  }
+  return !geodesic.empty();
+}
 
 Vec3 index_point(const Surface& surface, const SurfacePoint& point) {
   Vec3 position{};

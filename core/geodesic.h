@@ -22,6 +22,9 @@ struct SurfacePoint {
 /// Each point and the next, the last and the first included, lie in one triangle of M.
 using Geodesic = std::vector<SurfacePoint>;
 
+/// Whether it is as described: shares between 0 and 1, and each point and the next in one triangle.
+bool lies_on(const Surface& surface, const TriangleFans& fans, const Geodesic& geodesic);
+
 /// In voxel indices.
 Vec3 index_point(const Surface& surface, const SurfacePoint& point);
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <unordered_map>
 
+#include "core/errors.h"
 #include "core/killing_border.h"
 
 namespace isoloop {
@@ -190,6 +191,9 @@ void LoopSearch::extend(const Path& path, const double& bound, std::uint32_t she
   }
   if (shorter >= sheets || 2.0 * path.distance > bound) return;
   if (same == none) {
+    // Of each sheet every edge is walked once: more cannot be where lengths are numbers.
+    if (paths_.size() > sheets * surface_.graph.lengths.size() + 1)
+      throw SelfCheckFailed("a search for loops takes more paths than the surface has edges");
     same = static_cast<std::uint32_t>(paths_.size());
     paths_.push_back(path);
     paths_.back().next = first;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <string>
@@ -222,6 +223,19 @@ std::vector<Loop> merged_by_size(std::vector<Loop> inside, std::vector<Loop> out
                    [](const Loop& a, const Loop& b) { return a.size < b.size; });
   for (std::size_t i = 0; i < loops.size(); ++i) loops[i].id = static_cast<int>(i) + 1;
   return loops;
+}
+
+void check_measures(std::span<const Loop> loops) {
+  const auto is_length = [](double length) { return length > 0.0 && std::isfinite(length); };
+  for (const Loop& loop : loops) {
+    const bool placed = std::all_of(loop.center_index.begin(), loop.center_index.end(),
+                                    [](double x) { return std::isfinite(x); });
+    if (is_length(loop.length) && is_length(loop.found_length) && loop.size >= 0.0 && placed)
+      continue;
+    throw SelfCheckFailed("the measures of " + name_of(loop.kind) + " " + std::to_string(loop.id) +
+                          " are no numbers: length " + std::to_string(loop.length) + ", size " +
+                          std::to_string(loop.size));
+  }
 }
 
 void certify(const Surface& surface, const SurfaceClasses& classes, std::vector<Loop>& loops) {

@@ -88,6 +88,11 @@ std::vector<Loop> loops_of_side(const Surface& surface, const SurfaceClasses& cl
 /// Puts the loops of two sides that are not told apart in one order, by size, and numbers them.
 std::vector<Loop> merged_by_size(std::vector<Loop> inside, std::vector<Loop> outside);
 
+/// Proves that the loops can be drawn and measured: lengths finite and above 0, centres finite,
+/// sizes not negative (they may be infinite). Throws SelfCheckFailed. That their points lie on M is
+/// the matter of certify() and straighten_loops().
+void check_measures(std::span<const Loop> loops);
+
 /// Proves the loops from scratch: closed, on M, trivial on their own side only, and independent,
 /// genus(M) of each kind; those of kind `loop`: independent in H1(M), and as many as its rank.
 /// Fills in the certificates. Throws SelfCheckFailed.

@@ -19,6 +19,9 @@ void straighten_loops(const Surface& surface, const SurfaceClasses& classes,
     std::vector<Geodesic> geodesics;
     for (const Curve& curve : loop.curves) {
       geodesics.push_back(closed_geodesic(surface, fans, curve));
+      if (!lies_on(surface, fans, geodesics.back()))
+        throw SelfCheckFailed(name_of(loop.kind) + " " + std::to_string(loop.id) +
+                              " left the surface as it was straightened");
       const Curve pushed = pushed_to_edges(geodesics.back());
       if (class_of(surface, classes, {&pushed, 1}) != class_of(surface, classes, {&curve, 1}))
         throw SelfCheckFailed(name_of(loop.kind) + " " + std::to_string(loop.id) +
