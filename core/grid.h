@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <variant>
 
@@ -56,6 +57,9 @@ struct IsoLevel {
   double iso = 0.0;  // unit of the voxel values
   InsideRule inside = InsideRule::above;
   Topology topology = Topology::trilinear;
+  /// With InsideRule::above alone: inside are the values from iso to this one, itself included, and
+  /// what is interpolated is how far a value lies within them. Unit of the voxel values.
+  std::optional<double> upper{};
 };
 
 }  // namespace isoloop

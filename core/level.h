@@ -10,12 +10,35 @@
 
 namespace isoloop {
 
+/// The values that are inside: from `least` to `most`, themselves included.
+struct InsideValues {
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+
+  template <class T>
+  bool hold(T value) const {
+    return static_cast<double>(value) >= least && static_cast<double>(value) <= most;
+  }
+};
+
+inline InsideValues inside_values(const IsoLevel& level) {
+  InsideValues values;
+  if (level.inside == InsideRule::above) {
+    values.least = level.iso;
+    if (level.upper) values.most = *level.upper;
+  } else {
+    values.most = level.iso;
+  }
+  return values;
+}
+
 /// Non-negative exactly where `value` is inside. Finite.
 template <class T>
 double level_of(T value, const IsoLevel& level) {
   constexpr double largest = std::numeric_limits<double>::max();
   const double difference = static_cast<double>(value) - level.iso;
-  const double oriented = level.inside == InsideRule::above ? difference : -difference;
+  double oriented = level.inside == InsideRule::above ? difference : -difference;
+  if (level.upper) oriented = std::min(oriented, *level.upper - static_cast<double>(value));
   return std::clamp(oriented, -largest, largest);
 }
 

@@ -41,13 +41,7 @@ struct Bounds {
 };
 
 template <class T>
-bool is_inside(T value, const IsoLevel& level) {
-  return level.inside == InsideRule::above ? static_cast<double>(value) >= level.iso
-                                           : static_cast<double>(value) <= level.iso;
-}
-
-template <class T>
-void scan_row(const GridView<T>& grid, const IsoLevel& level, std::int64_t y, std::int64_t z,
+void scan_row(const GridView<T>& grid, const InsideValues& inside, std::int64_t y, std::int64_t z,
               Bounds& bounds) {
   const std::int64_t start = grid.dims[0] * (y + grid.dims[1] * z);
   const T* row = grid.values.data() + start;
@@ -56,7 +50,7 @@ void scan_row(const GridView<T>& grid, const IsoLevel& level, std::int64_t y, st
   for (std::int64_t x = 0; x < grid.dims[0]; ++x) {
     if constexpr (std::is_floating_point_v<T>)
       if (std::isnan(row[x])) bounds.first_nan = std::min(bounds.first_nan, start + x);
-    if (!is_inside(row[x], level)) continue;
+    if (!inside.hold(row[x])) continue;
     first = std::min(first, x);
     last = x;
   }
@@ -65,11 +59,12 @@ void scan_row(const GridView<T>& grid, const IsoLevel& level, std::int64_t y, st
 
 template <class T>
 Bounds inside_bounds(const GridView<T>& grid, const IsoLevel& level) {
+  const InsideValues inside = inside_values(level);
   return tbb::parallel_reduce(
       tbb::blocked_range<std::int64_t>(0, grid.dims[2]), Bounds{},
       [&](const tbb::blocked_range<std::int64_t>& slab, Bounds bounds) {
         for (std::int64_t z = slab.begin(); z < slab.end(); ++z)
-          for (std::int64_t y = 0; y < grid.dims[1]; ++y) scan_row(grid, level, y, z, bounds);
+          for (std::int64_t y = 0; y < grid.dims[1]; ++y) scan_row(grid, inside, y, z, bounds);
         return bounds;
       },
       Bounds::join);
@@ -82,6 +77,10 @@ void check_grid(const GridView<T>& grid, const IsoLevel& level) {
   if (count <= 0 || static_cast<std::int64_t>(grid.values.size()) != count)
     throw InvalidArgument("the grid's dimensions do not fit its number of voxels");
   if (std::isnan(level.iso)) throw InvalidArgument("the iso value is NaN: give a number");
+  if (level.upper && (level.inside == InsideRule::below || !(*level.upper >= level.iso)))
+    throw InvalidArgument(
+        "of two iso values, between which the inside lies, the second is the "
+        "larger, and the inside is above the first");
   for (const double length : grid.spacing)
     if (!is_spacing(length))
       throw InvalidArgument("the grid's spacing must lie between 1e-18 and 1e18 along each axis");
@@ -121,6 +120,7 @@ void for_each_layer(const Lattice& lattice, const Body& body) {
 template <class T>
 void mark_inside(const GridView<T>& grid, const IsoLevel& level, Sides& sides) {
   const Lattice& lattice = sides.lattice;
+  const InsideValues inside = inside_values(level);
   const auto in_grid = [&](std::uint32_t i, int axis) {
     const std::int64_t at = lattice.first[axis] + i;
     return at >= 0 && at < grid.dims[axis];
@@ -135,7 +135,7 @@ void mark_inside(const GridView<T>& grid, const IsoLevel& level, Sides& sides) {
       const std::uint32_t end = lattice.dims[0] - (in_grid(lattice.dims[0] - 1, 0) ? 0 : 1);
       const T* from = grid.values.data() + row + lattice.first[0] + begin;
       std::uint8_t* to = sides.inside.data() + lattice.vertex(begin, y, z);
-      for (std::uint32_t x = 0; x < end - begin; ++x) to[x] = is_inside(from[x], level);
+      for (std::uint32_t x = 0; x < end - begin; ++x) to[x] = inside.hold(from[x]);
     }
   });
 }

@@ -26,12 +26,12 @@ std::optional<T> next_value(T value, bool upwards) {
 }
 
 template <class T>
-std::optional<double> nearest_value(double wanted, bool inside, const IsoLevel& level) {
+std::optional<double> nearest_value(double wanted, bool upwards, bool inside,
+                                    const IsoLevel& level) {
   const auto least = static_cast<double>(std::numeric_limits<T>::lowest());
   const auto most = static_cast<double>(std::numeric_limits<T>::max());
   const double clamped = std::clamp(wanted, least, most);
   T value = static_cast<T>(std::is_floating_point_v<T> ? clamped : std::nearbyint(clamped));
-  const bool upwards = inside == (level.inside == InsideRule::above);
   // Rounding, to the type or of iso + magnitude, is off by a step or two at most.
   for (int step = 0; step < 4; ++step) {
     if ((level_of(value, level) >= 0.0) == inside) return static_cast<double>(value);
@@ -78,10 +78,15 @@ void VoxelValues::set(std::size_t voxel, double value) {
 
 std::optional<double> VoxelValues::nearest(double magnitude, bool inside,
                                            const IsoLevel& level) const {
-  const double offset = inside == (level.inside == InsideRule::above) ? magnitude : -magnitude;
+  const bool upwards = inside == (level.inside == InsideRule::above);
+  // No value lies farther within a band than its middle.
+  if (inside && level.upper) magnitude = std::min(magnitude, (*level.upper - level.iso) / 2);
+  const double offset = upwards ? magnitude : -magnitude;
   return std::visit(
       [&]<class T>(const std::vector<T>&) {
-        return nearest_value<T>(level.iso + offset, inside, level);
+        const auto found = nearest_value<T>(level.iso + offset, upwards, inside, level);
+        if (found || !level.upper) return found;
+        return nearest_value<T>(*level.upper - offset, !upwards, inside, level);
       },
       values_);
 }

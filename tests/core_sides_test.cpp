@@ -49,6 +49,18 @@ TEST(Sides, NaNIsRefusedWithItsPlace) {
   }
 }
 
+TEST(Sides, BetweenTwoIsoValuesIsInside) {
+  const std::vector<float> values{0, 1, 2, 3, 4};
+  const IsoLevel band{1.0, InsideRule::above, Topology::trilinear, 3.0};
+  const Sides sides = classify(view_of(values, {5, 1, 1}), band);
+  EXPECT_EQ(sides.lattice.first[0], 0);
+  EXPECT_EQ(sides.lattice.dims[0], 5U);
+  const IsoLevel empty{1.0, InsideRule::above, Topology::trilinear, 0.5};
+  const IsoLevel below{1.0, InsideRule::below, Topology::trilinear, 3.0};
+  EXPECT_THROW(classify(view_of(values, {5, 1, 1}), empty), InvalidArgument);
+  EXPECT_THROW(classify(view_of(values, {5, 1, 1}), below), InvalidArgument);
+}
+
 TEST(Sides, ASpacingThatSinglePrecisionCannotHoldIsRefused) {
   const std::vector<float> values{1};
   for (const double length : {0.0, -1.0, 1e-45, 1e38, std::nan("")})

@@ -41,6 +41,19 @@ TEST(VoxelValues, NearestValuesLieOnTheSideAskedFor) {
   EXPECT_EQ(small.nearest(1000.0, true, {70.0}), 255.0);
 }
 
+TEST(VoxelValues, NearestValuesOfABandLieAtItsLowerEndUnlessTheTypeHasNoneThere) {
+  const std::vector<std::uint8_t> bytes{0};
+  const VoxelValues values(GridView<std::uint8_t>{bytes, {1, 1, 1}});
+  const IsoLevel band{70.0, InsideRule::above, Topology::trilinear, 80.0};
+  EXPECT_EQ(values.nearest(2.0, true, band), 72.0);
+  EXPECT_EQ(values.nearest(1000.0, true, band), 75.0);
+  EXPECT_EQ(values.nearest(2.0, false, band), 68.0);
+  const IsoLevel from_zero{0.0, InsideRule::above, Topology::trilinear, 80.0};
+  EXPECT_EQ(values.nearest(2.0, false, from_zero), 82.0);
+  const IsoLevel all{0.0, InsideRule::above, Topology::trilinear, 255.0};
+  EXPECT_FALSE(values.nearest(1.0, false, all));
+}
+
 TEST(VoxelValues, HaveNoValueBeyondTheEndOfTheType) {
   const std::vector<std::uint8_t> bytes{0};
   const VoxelValues values(GridView<std::uint8_t>{bytes, {1, 1, 1}});
