@@ -13,7 +13,7 @@ isoloop_add_tests(isoloop_core_tests
     core_cube_interior_test.cpp
     core_cube_sweep_test.cpp
     core_cube_test.cpp
-    core_cube_ties_test.cpp
+    core_ties_test.cpp
     core_disjoint_sets_test.cpp
     core_dual_pass_test.cpp
     core_edge_index_test.cpp
@@ -67,6 +67,7 @@ isoloop_add_tests(isoloop_core_tests
     slow_killing.cpp
     slow_reduction.cpp
     swept_cube.cpp
+    swept_volume.cpp
   LIBRARIES isoloop::core TBB::tbb)
 target_compile_definitions(isoloop_core_tests PRIVATE ISOLOOP_SOURCE="${PROJECT_SOURCE_DIR}")
 
@@ -86,7 +87,8 @@ add_executable(isoloop_slow_tests EXCLUDE_FROM_ALL
   random_volumes.cpp
   refined_cube.cpp
   refined_field.cpp
-  swept_cube.cpp)
+  swept_cube.cpp
+  swept_volume.cpp)
 target_link_libraries(isoloop_slow_tests PRIVATE
   isoloop::core isoloop::volume isoloop_options TBB::tbb GTest::gtest_main)
 target_compile_definitions(isoloop_slow_tests PRIVATE

@@ -8,6 +8,7 @@
 #include "tests/cube_ties.h"
 #include "tests/cut_of_levels.h"
 #include "tests/refined_field.h"
+#include "tests/tied_volumes.h"
 
 namespace isoloop {
 namespace {
@@ -43,6 +44,13 @@ TEST(TopologySlow, AMillionCubesOfSmallNumbersHaveVerticesWithinAndNoCrossing) {
   }
   EXPECT_EQ(found.off_the_cube + found.crossings + found.without_area, 0);
   std::printf("%d cubes of small numbers: %d have a tunnel\n", found.cubes, found.tunnels);
+}
+
+TEST(TopologySlow, TwentyThousandVolumesOfFewLevelsAreCountedRightAndAllTheirLoopsAreMeasured) {
+  std::size_t loops = 0;
+  for (std::uint32_t seed = 1000; seed < 21'000; ++seed)
+    EXPECT_EQ(testing::complaint_about(testing::tied_volume(seed), loops), "") << "volume " << seed;
+  std::printf("20000 volumes of few levels: %zu loops\n", loops);
 }
 
 struct FieldKind {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/cube_ties.h"
+#include "tests/tied_volumes.h"
 
 namespace isoloop {
 namespace {
@@ -60,6 +61,13 @@ TEST(CubeTies, TrianglesOfACubeDoNotCrossWhateverItsLevels) {
   EXPECT_EQ(found.off_the_cube, 0);
   EXPECT_EQ(found.crossings, 0);
   EXPECT_EQ(found.without_area, 0);
+}
+
+TEST(Ties, VolumesOfFewLevelsAreCountedRightAndAllTheirLoopsAreMeasured) {
+  std::size_t loops = 0;
+  for (std::uint32_t seed = 0; seed < 600; ++seed)
+    ASSERT_EQ(testing::complaint_about(testing::tied_volume(seed), loops), "") << "volume " << seed;
+  EXPECT_GT(loops, 5000U);
 }
 
 }  // namespace
