@@ -7,6 +7,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "core/errors.h"
+#include "tools/flag_checks.h"
+#include "tools/number_text.h"
 #include "tools/output_files.h"
 #include "tools/progress.h"
 #include "tools/read_run.h"
@@ -23,6 +26,19 @@ struct CountFlags {
   std::string json;  // file, "-" or empty
 };
 
+/// A mask's hint says what the flags that it names would count.
+void complete_hint(const AnalysisOptions& options, RunResult& run) {
+  if (run.hint.empty() || options.boundary == Boundary::open) return;
+  const IsoLevel level{.iso = run.range.max, .topology = Topology::connected_26};
+  try {
+    const Betti betti = count_topology(view(run.volume), level, options).betti;
+    run.hint += ", which gives " + counted(betti.b0, "component", "components") + ", " +
+                counted(betti.b1, "tunnel", "tunnels") + " and " +
+                counted(betti.b2, "cavity", "cavities");
+  } catch (const LimitExceeded&) {  // the answer that was asked for is there
+  }
+}
+
 void count(const CountFlags& flags) {
   const auto start = std::chrono::steady_clock::now();
   OutputFiles outputs(flags.volume.file);
@@ -30,11 +46,12 @@ void count(const CountFlags& flags) {
   ProgressLine progress(std::cerr, progress_options(flags.progress));
   RunResult run = read_run(flags.volume, flags.level);
   run.with_loops = false;
-  run.analysis = count_topology(view(run.volume), run.level,
-                                {.boundary = boundary_of(flags.level),
-                                 .progress = progress.callback(),
-                                 .max_bytes = run.cost.max_bytes});
+  const AnalysisOptions options{.boundary = boundary_of(flags.level),
+                                .progress = progress.callback(),
+                                .max_bytes = run.cost.max_bytes};
+  run.analysis = count_topology(view(run.volume), run.level, options);
   check_counts(run.analysis);
+  complete_hint(options, run);
   run.cost.total_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   run.cost.peak_bytes = peak_resident_bytes();
@@ -52,8 +69,9 @@ void add_count_command(CLI::App& app) {
   auto flags = std::make_shared<CountFlags>();
   add_volume_flags(command, flags->volume);
   add_level_flags(command, flags->level);
-  command.add_option("--json", flags->json, "write the counts as JSON; - is standard output")
-      ->type_name("FILE|-");
+  want_file_name(
+      command.add_option("--json", flags->json, "write the counts as JSON; - is standard output")
+          ->type_name("FILE|-"));
   add_progress_flags(command, flags->progress);
   command.footer(
       "Examples:\n"
