@@ -94,6 +94,18 @@ TEST(UntidyMesh, TheLastLineNeedsNoEndWhereNothingCanBeMissing) {
   expect_tidy(mesh_bytes(sample(), MeshFormat::obj) + "  ", MeshFormat::obj, "blanks");
 }
 
+TEST(UntidyMesh, ACutWithinTheLastFaceIsToldByTheHoleThatItLeaves) {
+  const Mesh torus = test::torus_mesh({0, 0, 0}, 3, 1, 40, 30);  // corners of up to four digits
+  for (const MeshFormat format : {MeshFormat::ply_ascii, MeshFormat::obj, MeshFormat::off}) {
+    const std::string whole = mesh_bytes(torus, format);
+    const std::size_t last_line = whole.rfind('\n', whole.size() - 2) + 1;
+    for (std::size_t length = last_line + 1; length + 1 < whole.size(); ++length) {
+      EXPECT_THROW(parse(whole.substr(0, length), format), InvalidInput) << whole.substr(last_line);
+    }
+    EXPECT_EQ(parse(whole.substr(0, whole.size() - 1), format).triangles.size(), 2400U);
+  }
+}
+
 // Of an open mesh an end that is missing may hide a digit or a corner.
 TEST(UntidyMesh, AnUnendedCornerMustBeProvedWhole) {
   const std::string points = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";

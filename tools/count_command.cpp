@@ -27,15 +27,16 @@ struct CountFlags {
 };
 
 /// A mask's hint says what the flags that it names would count.
-void complete_hint(const AnalysisOptions& options, RunResult& run) {
-  if (run.hint.empty() || options.boundary == Boundary::open) return;
+void complete_hint(RunResult& run) {
+  if (run.hint.empty()) return;
   const IsoLevel level{.iso = run.range.max, .topology = Topology::connected_26};
   try {
-    const Betti betti = count_topology(view(run.volume), level, options).betti;
+    const Betti betti =
+        count_topology(view(run.volume), level, {.max_bytes = run.cost.max_bytes}).betti;
     run.hint += ", which gives " + counted(betti.b0, "component", "components") + ", " +
                 counted(betti.b1, "tunnel", "tunnels") + " and " +
                 counted(betti.b2, "cavity", "cavities");
-  } catch (const LimitExceeded&) {  // the answer that was asked for is there
+  } catch (const LimitExceeded&) {  // what was asked for may have room all the same
   }
 }
 
@@ -46,12 +47,12 @@ void count(const CountFlags& flags) {
   ProgressLine progress(std::cerr, progress_options(flags.progress));
   RunResult run = read_run(flags.volume, flags.level);
   run.with_loops = false;
-  const AnalysisOptions options{.boundary = boundary_of(flags.level),
-                                .progress = progress.callback(),
-                                .max_bytes = run.cost.max_bytes};
-  run.analysis = count_topology(view(run.volume), run.level, options);
+  complete_hint(run);
+  run.analysis = count_topology(view(run.volume), run.level,
+                                {.boundary = boundary_of(flags.level),
+                                 .progress = progress.callback(),
+                                 .max_bytes = run.cost.max_bytes});
   check_counts(run.analysis);
-  complete_hint(options, run);
   run.cost.total_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   run.cost.peak_bytes = peak_resident_bytes();

@@ -31,7 +31,7 @@ VoxelBox voxels_in(const CropBox& box, const Index3& dims, const std::string& wh
 /// The voxels of `box` alone. World coordinates stay: the origin moves to the part's first voxel.
 /// Volume::part says which part it is. While it is made, whole and part are both in memory. Throws
 /// as voxels_in() does.
-Volume crop(Volume volume, const CropBox& box, const std::string& what);
+Volume crop(Volume volume, const CropBox& box, const std::string& what = "the volume");
 
 /// Makes `volume` the part of itself that `box` is, but for its values.
 void place_part(Volume& volume, const VoxelBox& box);
