@@ -115,7 +115,8 @@ Mesh parse_ascii(std::string_view bytes, const std::string& what) {
 /// Some programs begin binary files with "solid" too, but they hold the byte 0: in the header, in
 /// the count, or after the first triangle, where nearly all files have two of them.
 bool is_ascii(std::string_view bytes) {
-  if (bytes.substr(0, header_bytes + triangle_bytes).find('\0') != std::string_view::npos) return false;
+  if (bytes.substr(0, header_bytes + triangle_bytes).find('\0') != std::string_view::npos)
+    return false;
   const std::size_t start = bytes.find_first_not_of(" \t\r\n\v\f\xef\xbb\xbf");
   return start != std::string_view::npos && same_word(bytes.substr(start, 5), "solid");
 }

@@ -34,7 +34,6 @@ Fields read_fields(ByteStream& stream, const std::string& what, bool& is_ended) 
     const std::string name = lower_case(trimmed(std::string_view(line).substr(0, equals)));
     const std::string value(trimmed(std::string_view(line).substr(equals + 1)));
     if (!fields.emplace(name, value).second) refuse(what, "its header states " + name + " twice");
-    if (!is_ended && name != "elementdatafile") refuse(what, "ends within its header");
   }
   return fields;
 }

@@ -210,7 +210,8 @@ void write_mesh_seeds() {
   write("ply", "big_", MeshFormat::ply_big);
   write("obj", "", MeshFormat::obj);
   write("off", "", MeshFormat::off);
-  write_seed("stl", "count_0", test::mesh_bytes(box, MeshFormat::stl_binary).replace(80, 1, 1, '\0'));
+  write_seed("stl", "count_0",
+             test::mesh_bytes(box, MeshFormat::stl_binary).replace(80, 1, 1, '\0'));
   write_seed("stl", "capitals",
              "  SOLID a\r\n FACET NORMAL 0 0 1\r OUTER LOOP\n VERTEX 0 0 1e+0\n"
              "VERTEX 1 0 0\nVERTEX 0 1 0\nENDLOOP\nENDFACET\nENDSOLID");
