@@ -62,6 +62,14 @@ TEST(ParseSpacing, RefusesWhatIsNoLength) {
   }
 }
 
+TEST(ParseLists, RefuseASeparatorWithoutANumber) {
+  for (const char* text : {"64,,32,16", "64x32x", "x64 32 16", ",64 32 16"}) {
+    EXPECT_THROW(parse_dims(text), InvalidArgument) << text;
+    EXPECT_THROW(parse_spacing(text), InvalidArgument) << text;
+  }
+  EXPECT_EQ(parse_dims("64 , 32 x 16"), (Index3{64, 32, 16}));
+}
+
 TEST(ParseBytes, KnowsPowersOf1024) {
   EXPECT_EQ(parse_bytes("65536"), 65536U);
   EXPECT_EQ(parse_bytes("512M"), 512U << 20);
@@ -103,7 +111,8 @@ TEST(ReadOptionsOfFlags, CarriesEveryFlag) {
                                             .world = "lps",
                                             .nan_as = -1.0,
                                             .max_memory = "1K",
-                                            .max_voxels = 99});
+                                            .max_voxels = 99,
+                                            .crop = "1:2,:,3:"});
   EXPECT_EQ(options.raw.dims, (Index3{4, 5, 6}));
   EXPECT_EQ(options.raw.type, VoxelType::int16);
   EXPECT_EQ(options.raw.endian, Endian::big);
@@ -120,6 +129,12 @@ TEST(ReadOptionsOfFlags, CarriesEveryFlag) {
   EXPECT_EQ(options.world, Frame::lps);
   EXPECT_EQ(options.max_bytes, 1024U);
   EXPECT_EQ(options.max_voxels, 99U);
+  ASSERT_TRUE(options.crop);
+  EXPECT_EQ((*options.crop)[0].end, 2);
+}
+
+IsoLevel level_for(const LevelFlags& flags, const Volume& volume) {
+  return iso_level(flags, volume, value_range(volume));
 }
 
 Volume two_voxels(bool level_set) {
@@ -131,22 +146,22 @@ Volume two_voxels(bool level_set) {
 }
 
 TEST(IsoLevelOfFlags, IsZeroAndBelowForALevelSet) {
-  const IsoLevel level = iso_level({}, two_voxels(true));
+  const IsoLevel level = level_for({}, two_voxels(true));
   EXPECT_EQ(level.iso, 0.0);
   EXPECT_EQ(level.inside, InsideRule::below);
 }
 
 TEST(IsoLevelOfFlags, FlagsWinOverTheLevelSet) {
-  const IsoLevel level = iso_level({.iso = 1.0, .inside = "above"}, two_voxels(true));
+  const IsoLevel level = level_for({.iso = 1.0, .inside = "above"}, two_voxels(true));
   EXPECT_EQ(level.iso, 1.0);
   EXPECT_EQ(level.inside, InsideRule::above);
 }
 
 TEST(IsoLevelOfFlags, TopologyIsTrilinearUnlessSimpleIsAskedFor) {
-  EXPECT_EQ(iso_level({}, two_voxels(true)).topology, Topology::trilinear);
+  EXPECT_EQ(level_for({}, two_voxels(true)).topology, Topology::trilinear);
   LevelFlags flags;
   flags.topology = "simple";
-  EXPECT_EQ(iso_level(flags, two_voxels(true)).topology, Topology::simple);
+  EXPECT_EQ(level_for(flags, two_voxels(true)).topology, Topology::simple);
 }
 
 TEST(IsoLevelOfFlags, ConnectivityTakesThePlaceOfTheTopology) {
@@ -155,20 +170,20 @@ TEST(IsoLevelOfFlags, ConnectivityTakesThePlaceOfTheTopology) {
        {std::pair{"6", Topology::connected_6}, std::pair{"18", Topology::connected_18},
         std::pair{"26", Topology::connected_26}}) {
     flags.connectivity = text;
-    EXPECT_EQ(iso_level(flags, two_voxels(true)).topology, topology) << text;
+    EXPECT_EQ(level_for(flags, two_voxels(true)).topology, topology) << text;
   }
 }
 
 TEST(IsoLevelOfFlags, IsOneHalfForAMask) {
   Volume mask = two_voxels(false);
   mask.mask = true;
-  EXPECT_EQ(iso_level({}, mask).iso, 0.5);
-  EXPECT_EQ(iso_level({}, mask).inside, InsideRule::above);
+  EXPECT_EQ(level_for({}, mask).iso, 0.5);
+  EXPECT_EQ(level_for({}, mask).inside, InsideRule::above);
 }
 
 TEST(IsoLevelOfFlags, IsRequiredOtherwiseAndTheMessageStatesTheRange) {
   try {
-    iso_level({}, two_voxels(false));
+    level_for({}, two_voxels(false));
     FAIL();
   } catch (const InvalidArgument& error) {
     EXPECT_NE(std::string(error.what()).find("--iso is required"), std::string::npos);
@@ -178,7 +193,7 @@ TEST(IsoLevelOfFlags, IsRequiredOtherwiseAndTheMessageStatesTheRange) {
 
 TEST(IsoLevelOfFlags, RefusesAnIsoThatIsNotFinite) {
   EXPECT_THROW(
-      iso_level({.iso = std::numeric_limits<double>::infinity(), .inside = ""}, two_voxels(false)),
+      level_for({.iso = std::numeric_limits<double>::infinity(), .inside = ""}, two_voxels(false)),
       InvalidArgument);
 }
 

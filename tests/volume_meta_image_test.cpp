@@ -78,17 +78,49 @@ TEST_F(MetaImage, NoFileCutShortIsRead) {
   }
   const auto detached = folder_ / "cut.mhd";
   write_bytes(folder_ / "cut.raw", dozen_voxels(Endian::little));
-  test::expect_no_beginning_is_read(detached, meta_image_header("", "cut.raw"),
-                                    [&] { read_meta_image(detached); });
+  test::expect_no_beginning_is_read_but_the_last_line(detached, meta_image_header("", "cut.raw"),
+                                                      [&] { read_meta_image(detached); });
+  std::string unended = meta_image_header("", "cut.raw");
+  unended.pop_back();
+  write_bytes(detached, unended);
+  EXPECT_TRUE(contains(read_meta_image(detached).warnings.at(0), "no end"));
+  write_bytes(detached, meta_image_header("", "cut.raw"));
   test::expect_no_beginning_is_read(folder_ / "cut.raw", dozen_voxels(Endian::little),
                                     [&] { read_meta_image(detached); });
 }
 
-TEST_F(MetaImage, StatedAndPresentCompressedBytesMustAgree) {
+TEST_F(MetaImage, AWrongCompressedSizeIsSaidWhereTheChecksumProvesTheVoxels) {
   const std::string packed = test::zlib_bytes(dozen_voxels(Endian::little));
-  EXPECT_THROW(read(meta_image_header("CompressedData = True\nCompressedDataSize = 5\n") + packed),
-               InvalidInput);
-  EXPECT_THROW(read(meta_image_header("CompressedData = True\n") + packed + "x"), InvalidInput);
+  const auto stating = [&](const std::string& size) {
+    return meta_image_header("CompressedData = True\nCompressedDataSize = " + size + "\n") + packed;
+  };
+  const Volume volume = read(stating("5"));
+  EXPECT_EQ(volume.values, with("").values);
+  ASSERT_EQ(volume.warnings.size(), 1U);
+  EXPECT_TRUE(contains(volume.warnings[0], "states 5 compressed bytes")) << volume.warnings[0];
+  EXPECT_TRUE(read(stating(std::to_string(packed.size()))).warnings.empty());
+  EXPECT_THROW(read(stating("5") + "x"), InvalidInput);
+  test::expect_no_beginning_is_read(folder_ / "a.mha", stating("5"),
+                                    [&] { read_meta_image(folder_ / "a.mha"); });
+}
+
+TEST_F(MetaImage, APercentSignInANameIsNoPattern) {
+  const auto path = folder_ / "77 %.mhd";
+  write_bytes(path, meta_image_header("", "77 %.raw"));
+  EXPECT_TRUE(contains(message_of<InvalidInput>([&] { read_meta_image(path); }), "no such file"));
+  write_bytes(folder_ / "77 %.raw", dozen_voxels(Endian::little));
+  EXPECT_EQ(read_meta_image(path).dims, (Index3{3, 2, 2}));
+  write_bytes(path, meta_image_header("", "a%03d.raw"));
+  EXPECT_TRUE(contains(message_of<InvalidInput>([&] { read_meta_image(path); }), "several"));
+  write_bytes(folder_ / "a%03d.raw", dozen_voxels(Endian::little));
+  EXPECT_EQ(read_meta_image(path).dims, (Index3{3, 2, 2}));
+}
+
+TEST_F(MetaImage, HeadersMayBeWrittenInAnyCaseAndWithAnyLineEnd) {
+  const std::string header =
+      "objecttype = image\r\nNDIMS = 3\r\n\r\ndimsize = 3 2 2\r\nElementType = met_short\r\n"
+      "elementDATAfile = Local\r\n";
+  EXPECT_EQ(read(header + dozen_voxels(Endian::little)).values, with("").values);
 }
 
 TEST_F(MetaImage, KeepsSpacingOriginAndDirection) {

@@ -66,6 +66,21 @@ TEST_F(Nifti, APairIsReadByEitherName) {
   EXPECT_TRUE(contains(message_of<InvalidInput>([&] { read_nifti(folder_ / "c.hdr"); }), "c.img"));
 }
 
+TEST_F(Nifti, ExtensionsBeforeTheVoxelsArePassedOver) {
+  NiftiSample sample{.from = 352 + 16};
+  std::string header = sample.header();
+  header[348] = 1;
+  const std::string extension = std::string("\x10\0\0\0\6\0\0\0", 8) + "comment.";
+  EXPECT_EQ(read(header + extension + sample.voxels()).values, read(NiftiSample{}.file()).values);
+}
+
+TEST_F(Nifti, AnAxisOfNoneBeyondTheThirdIsNotThere) {
+  const NiftiSample sample{.dim = {4, 3, 2, 2, 0, 0, 0, 0}};
+  std::string file = sample.header() + NiftiSample{}.voxels();
+  EXPECT_EQ(read(file).values, read(NiftiSample{}.file()).values);
+  EXPECT_THROW(read(file + file), InvalidInput);
+}
+
 TEST_F(Nifti, NoFileCutShortIsRead) {
   for (const std::string& file : {NiftiSample{}.file(), nifti_2_file(Endian::big, 1)}) {
     for (const std::string& bytes : {file, test::gzip_bytes(file)}) {

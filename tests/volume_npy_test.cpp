@@ -97,6 +97,11 @@ TEST_F(Npy, ABombIsRefusedBeforeMemoryIsAskedFor) {
   EXPECT_THROW(read(npy_header("<i2", "(9999999999, 9999999999, 9999999999)")), LimitExceeded);
 }
 
+TEST_F(Npy, BoolsAreAMask) {
+  EXPECT_TRUE(read(npy_header("|b1", "(1, 1, 2)") + std::string("\1\0", 2)).mask);
+  EXPECT_FALSE(read(npy_header("|u1", "(1, 1, 2)") + std::string("\1\0", 2)).mask);
+}
+
 TEST_F(Npy, TheSpacingIsThatOfTheOptions) {
   const std::string file = npy_header("|b1", "(1, 1, 2)") + std::string("\1\0", 2);
   EXPECT_EQ(read(file).spacing, (Vec3{1, 1, 1}));

@@ -74,6 +74,22 @@ TEST_F(Nrrd, ADetachedHeaderNamesItsDataFile) {
       contains(message_of<InvalidInput>([&] { read_nrrd(folder_ / "a.nhdr"); }), "several files"));
 }
 
+TEST_F(Nrrd, APercentSignInANameIsNoPattern) {
+  write_bytes(folder_ / "a.nhdr", nrrd_header(nrrd_plain + "data file: 77 %.raw\n"));
+  write_bytes(folder_ / "77 %.raw", dozen_voxels(Endian::little));
+  EXPECT_EQ(read_nrrd(folder_ / "a.nhdr").dims, (Index3{3, 2, 2}));
+  write_bytes(folder_ / "a.nhdr", nrrd_header(nrrd_plain + "data file: a%02d.raw 1 2 1 2\n"));
+  EXPECT_TRUE(
+      contains(message_of<InvalidInput>([&] { read_nrrd(folder_ / "a.nhdr"); }), "several"));
+}
+
+TEST_F(Nrrd, HeadersMayEndTheirLinesWithCrLf) {
+  std::string header = nrrd_header(nrrd_plain) + "\n";
+  for (std::size_t at = header.find('\n'); at != std::string::npos; at = header.find('\n', at + 2))
+    header.insert(at, "\r");
+  EXPECT_EQ(read(header + dozen_voxels(Endian::little)).values, with("").values);
+}
+
 TEST_F(Nrrd, NoFileCutShortIsRead) {
   const auto path = folder_ / "cut.nrrd";
   for (const std::string& whole : {nrrd_header(nrrd_plain) + "\n" + dozen_voxels(Endian::little),
@@ -84,7 +100,23 @@ TEST_F(Nrrd, NoFileCutShortIsRead) {
   write_bytes(folder_ / "cut.raw", dozen_voxels(Endian::little));
   const auto detached = folder_ / "cut.nhdr";
   const std::string whole = nrrd_header("data file: cut.raw\n" + nrrd_plain);
-  test::expect_no_beginning_is_read(detached, whole, [&] { read_nrrd(detached); });
+  for (const std::string& more : {std::string(), std::string("spacings: 1 2 3.5\n")}) {
+    test::expect_no_beginning_is_read_but_the_last_line(
+        detached, nrrd_header(more + nrrd_plain + "data file: cut.raw\n"),
+        [&] { read_nrrd(detached); });
+  }
+  test::expect_no_beginning_is_read_but_the_last_line(detached, whole,
+                                                      [&] { read_nrrd(detached); });
+  const std::string with_numbers = whole + "spacings: 1 2 3.5";
+  for (std::size_t length = whole.size() + 1; length <= with_numbers.size(); ++length) {
+    write_bytes(detached, with_numbers.substr(0, length));
+    EXPECT_THROW(read_nrrd(detached), InvalidInput) << length;
+  }
+  std::string unended = whole;
+  unended.pop_back();
+  write_bytes(detached, unended);
+  EXPECT_TRUE(contains(read_nrrd(detached).warnings.at(0), "no end"));
+  write_bytes(detached, whole);
   test::expect_no_beginning_is_read(folder_ / "cut.raw", dozen_voxels(Endian::little),
                                     [&] { read_nrrd(detached); });
 }

@@ -2,6 +2,7 @@ isoloop_add_tests(isoloop_volume_tests
   SOURCES
     volume_atomic_file_test.cpp
     volume_child_process_test.cpp
+    volume_crop_test.cpp
     volume_curve_distance_test.cpp
     volume_dicom_test.cpp
     volume_engine_block_test.cpp
@@ -9,6 +10,7 @@ isoloop_add_tests(isoloop_volume_tests
     volume_labels_test.cpp
     volume_memory_limit_test.cpp
     volume_mesh_test.cpp
+    volume_mesh_untidy_test.cpp
     volume_meta_image_test.cpp
     volume_nifti_test.cpp
     volume_npy_test.cpp

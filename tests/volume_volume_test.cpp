@@ -55,5 +55,23 @@ TEST(Volume, ValueRangePassesOverNan) {
   EXPECT_EQ(bytes.max, 255.0);
 }
 
+TEST(Volume, AFewDistinctValuesAreListed) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const Volume mask{.values = std::vector<float>{nan, 3, 3, -2, nan, 3}, .dims = {6, 1, 1}};
+  EXPECT_EQ(value_range(mask).distinct, (std::vector<double>{-2, 3}));
+  std::vector<std::int16_t> values;
+  for (std::int16_t value = 31; value >= 0; --value) values.insert(values.end(), 3, value);
+  const ValueRange few = value_range({.values = values, .dims = {96, 1, 1}});
+  ASSERT_EQ(few.distinct.size(), most_distinct);
+  EXPECT_EQ(few.distinct.front(), 0);
+  EXPECT_EQ(few.distinct.back(), 31);
+  values.push_back(-7);
+  values.push_back(99);
+  const ValueRange many = value_range({.values = values, .dims = {98, 1, 1}});
+  EXPECT_TRUE(many.distinct.empty());
+  EXPECT_EQ(many.min, -7);
+  EXPECT_EQ(many.max, 99);
+}
+
 }  // namespace
 }  // namespace isoloop

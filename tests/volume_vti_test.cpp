@@ -73,6 +73,67 @@ TEST_F(Vti, OfSeveralArraysOneIsChosen) {
   EXPECT_TRUE(contains(message_of<InvalidArgument>([&] { read(file); }), "--grid"));
 }
 
+/// A file of 3 x 3 x 2 points, so of 2 x 2 x 1 cells, 1 to 4.
+std::string file_with_cells(const std::string& points, const std::string& cells) {
+  return "<VTKFile type=\"ImageData\"><ImageData WholeExtent=\"1 3 0 2 0 1\" Origin=\"10 20 30\" "
+         "Spacing=\"1 2 3\"><Piece Extent=\"1 3  0 2  0 1\"><PointData>" +
+         points + "</PointData><CellData>" + cells + "</CellData></Piece></ImageData></VTKFile>";
+}
+
+std::string array_of(const std::string& name, const std::string& numbers) {
+  return "<DataArray type=\"UInt8\" Name=\"" + name + "\" format=\"ascii\">" + numbers +
+         "</DataArray>";
+}
+
+TEST_F(Vti, CellsAreVoxelsWhoseCentresLieHalfASpacingIn) {
+  const Volume volume = read(file_with_cells("", array_of("v", "1 2 3 4")));
+  EXPECT_EQ(volume.dims, (Index3{2, 2, 1}));
+  EXPECT_EQ(std::get<std::vector<std::uint8_t>>(volume.values),
+            (std::vector<std::uint8_t>{1, 2, 3, 4}));
+  EXPECT_EQ(volume.origin, (Vec3{11.5, 21, 31.5}));
+  EXPECT_EQ(volume.spacing, (Vec3{1, 2, 3}));
+  EXPECT_TRUE(contains(volume.notes.at(0), "cells")) << volume.notes.at(0);
+  std::string flat = file_with_cells("", array_of("v", "1 2 3 4"));
+  for (std::size_t at = flat.find(" 0 1\""); at != std::string::npos; at = flat.find(" 0 1\""))
+    flat.replace(at, 4, " 5 5");
+  EXPECT_EQ(read(flat).dims, (Index3{2, 2, 1}));
+  EXPECT_EQ(read(flat).origin, (Vec3{11.5, 21, 45}));
+}
+
+TEST_F(Vti, OfPointsAndCellsOneIsChosen) {
+  const std::string eighteen = "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18";
+  const std::string both = file_with_cells(array_of("p", eighteen), array_of("c", "1 2 3 4"));
+  const std::string message = message_of<InvalidArgument>([&] { read(both); });
+  EXPECT_TRUE(contains(message, "of points 'p'; of cells 'c'")) << message;
+  EXPECT_EQ(read(both, {.array = "p"}).dims, (Index3{3, 3, 2}));
+  EXPECT_EQ(read(both, {.array = "c"}).dims, (Index3{2, 2, 1}));
+  const std::string same = file_with_cells(array_of("v", eighteen), array_of("v", "1 2 3 4"));
+  EXPECT_TRUE(contains(message_of<InvalidArgument>([&] { read(same, {.array = "v"}); }),
+                       "--grid points:v or cells:v"));
+  EXPECT_EQ(read(same, {.array = "points:v"}).dims, (Index3{3, 3, 2}));
+  EXPECT_EQ(read(same, {.array = "cells:v"}).dims, (Index3{2, 2, 1}));
+  std::string active = both;
+  active.replace(active.find("<PointData>"), 11, "<PointData Scalars=\"p\">");
+  EXPECT_THROW(read(active), InvalidArgument);
+  std::string cells = file_with_cells("", array_of("b", "4 3 2 1") + array_of("c", "1 2 3 4"));
+  EXPECT_THROW(read(cells), InvalidArgument);
+  cells.replace(cells.find("<CellData>"), 10, "<CellData Scalars=\"c\">");
+  EXPECT_EQ(read(cells).name, "c");
+  EXPECT_EQ(
+      read(file_with_cells(array_of("vtkGhostType", eighteen), array_of("c", "1 2 3 4"))).name,
+      "c");
+  EXPECT_THROW(read(file_with_cells("", "")), InvalidInput);
+}
+
+TEST_F(Vti, ABlockMayHoldLessThanItsSize) {
+  const VtiSample sample{.packed = true, .format = "raw", .block = 32768};
+  EXPECT_EQ(read(sample.file()).values, read(VtiSample{}.file()).values);
+  std::string wrong = sample.file();
+  const std::size_t block = wrong.find(test::number_bytes(std::uint32_t{32768}, Endian::little));
+  wrong.replace(block, 4, test::number_bytes(std::uint32_t{20}, Endian::little));
+  EXPECT_THROW(read(wrong), InvalidInput);
+}
+
 TEST_F(Vti, WhatIsNoVolumeOfNumbersIsRefusedByName) {
   EXPECT_TRUE(contains(refusal({.array = "NumberOfComponents=\"3\""}), "3 numbers per voxel"));
   EXPECT_TRUE(contains(refusal({.type = "String"}), "'String'"));
@@ -123,6 +184,13 @@ TEST_F(Vti, NoFlippedByteEndsTheProcess) {
       }
     }
   }
+}
+
+TEST(VtiData, FilesOfOneBlockAndOfCellsAreRead) {
+  ISOLOOP_NEEDS("odd/one_partial_block.vti");
+  ISOLOOP_NEEDS("odd/cell_data.vti");
+  EXPECT_EQ(read_vti(test::data("odd/one_partial_block.vti")).dims, (Index3{25, 25, 25}));
+  EXPECT_EQ(read_vti(test::data("odd/cell_data.vti")).dims, (Index3{24, 20, 16}));
 }
 
 }  // namespace

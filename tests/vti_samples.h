@@ -36,22 +36,26 @@ struct VtiSample {
   std::string array{};  // more attributes
   std::string type = "Int16";
   std::string extent = "1 3 0 1 0 1";
-  std::string more{};  // more point data
+  std::string more{};      // more point data
+  std::string cells{};     // cell data
+  std::size_t block = 16;  // bytes of a compressed block
 
   std::string size(std::uint64_t bytes) const {
     return wide_sizes ? number_bytes(bytes, endian)
                       : number_bytes(static_cast<std::uint32_t>(bytes), endian);
   }
-  // Of 24 bytes in blocks of 16, or as they are.
+  // Of 24 bytes in two blocks, in one that they do not fill, or as they are.
   std::string data(bool as_text) const {
     const std::string bytes = dozen_voxels(endian);
     if (!packed) {
       const std::string all = size(bytes.size()) + bytes;
       return as_text ? base64_text(all) : all;
     }
-    const std::string first = zlib_bytes(bytes.substr(0, 16));
-    const std::string last = zlib_bytes(bytes.substr(16));
-    const std::string sizes = size(2) + size(16) + size(8) + size(first.size()) + size(last.size());
+    const std::size_t whole = block > bytes.size() ? 0 : block;
+    const std::string first = whole > 0 ? zlib_bytes(bytes.substr(0, whole)) : "";
+    const std::string last = zlib_bytes(bytes.substr(whole));
+    const std::string sizes = size(whole > 0 ? 2 : 1) + size(block) + size(bytes.size() - whole) +
+                              (whole > 0 ? size(first.size()) : "") + size(last.size());
     return as_text ? base64_text(sizes) + base64_text(first + last) : sizes + first + last;
   }
   std::string file() const {
@@ -72,7 +76,8 @@ struct VtiSample {
     } else {
       text += " format=\"binary\">\n" + data(true) + "\n</DataArray>\n";
     }
-    text += more + "</PointData>\n<CellData/></Piece></ImageData>\n";
+    text += more + "</PointData>\n" + (cells.empty() ? "<CellData/>" : cells) +
+            "</Piece></ImageData>\n";
     if (appended) {
       text += "<AppendedData encoding=\"" + format + "\">\n _" + data(format == "base64") +
               "\n</AppendedData>\n";
@@ -88,6 +93,7 @@ inline std::vector<VtiSample> every_sort_of_vti() {
       sorts.push_back({.packed = packed, .format = format});
       sorts.push_back(
           {.endian = Endian::big, .wide_sizes = true, .packed = packed, .format = format});
+      if (packed) sorts.push_back({.packed = true, .format = format, .block = 32768});
     }
   }
   return sorts;

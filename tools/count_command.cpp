@@ -7,6 +7,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "core/errors.h"
+#include "tools/flag_checks.h"
+#include "tools/number_text.h"
 #include "tools/output_files.h"
 #include "tools/progress.h"
 #include "tools/read_run.h"
@@ -23,6 +26,20 @@ struct CountFlags {
   std::string json;  // file, "-" or empty
 };
 
+/// A mask's hint says what the flags that it names would count.
+void complete_hint(RunResult& run) {
+  if (run.hint.empty()) return;
+  const IsoLevel level{.iso = run.range.max, .topology = Topology::connected_26};
+  try {
+    const Betti betti =
+        count_topology(view(run.volume), level, {.max_bytes = run.cost.max_bytes}).betti;
+    run.hint += ", which gives " + counted(betti.b0, "component", "components") + ", " +
+                counted(betti.b1, "tunnel", "tunnels") + " and " +
+                counted(betti.b2, "cavity", "cavities");
+  } catch (const LimitExceeded&) {  // what was asked for may have room all the same
+  }
+}
+
 void count(const CountFlags& flags) {
   const auto start = std::chrono::steady_clock::now();
   OutputFiles outputs(flags.volume.file);
@@ -30,6 +47,7 @@ void count(const CountFlags& flags) {
   ProgressLine progress(std::cerr, progress_options(flags.progress));
   RunResult run = read_run(flags.volume, flags.level);
   run.with_loops = false;
+  complete_hint(run);
   run.analysis = count_topology(view(run.volume), run.level,
                                 {.boundary = boundary_of(flags.level),
                                  .progress = progress.callback(),
@@ -52,8 +70,9 @@ void add_count_command(CLI::App& app) {
   auto flags = std::make_shared<CountFlags>();
   add_volume_flags(command, flags->volume);
   add_level_flags(command, flags->level);
-  command.add_option("--json", flags->json, "write the counts as JSON; - is standard output")
-      ->type_name("FILE|-");
+  want_file_name(
+      command.add_option("--json", flags->json, "write the counts as JSON; - is standard output")
+          ->type_name("FILE|-"));
   add_progress_flags(command, flags->progress);
   command.footer(
       "Examples:\n"

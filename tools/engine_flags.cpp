@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "core/errors.h"
+#include "tools/flag_checks.h"
 
 namespace isoloop {
 
@@ -21,11 +22,12 @@ void add_engine_flags(CLI::App& command, EngineFlags& flags) {
           "surface, 2 orders by geodesic size")
       ->check(CLI::IsMember({"none", "1", "2", "both"}))
       ->type_name("WHICH");
-  command
-      .add_option("--dump-pairs", flags.dump_pairs,
-                  "write the edges of the surface that --engine pair pairs with triangles off it, "
-                  "as CSV; - is standard output")
-      ->type_name("FILE|-");
+  want_file_name(
+      command
+          .add_option("--dump-pairs", flags.dump_pairs,
+                      "write the edges of the surface that --engine pair pairs with triangles off "
+                      "it, as CSV; - is standard output")
+          ->type_name("FILE|-"));
   command
       .add_option(
           "--tighten", flags.tighten,

@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "core/errors.h"
+#include "tools/flag_checks.h"
 #include "tools/number_text.h"
 #include "tools/output_files.h"
 #include "volume/file_kind.h"
@@ -73,18 +74,24 @@ void add_generate_command(CLI::App& app) {
   CLI::App& command = *app.add_subcommand("generate", "write a solid of known topology");
   auto flags = std::make_shared<GenerateFlags>();
   command.add_option("SHAPE", flags->shape, "one of " + names_text())->required()->type_name("");
-  command.add_option("--size", flags->options.size, "voxels along the longest axis")
-      ->type_name("N")
-      ->capture_default_str();
-  command.add_option("--holes", flags->options.holes, "holes through a plate")
-      ->type_name("K")
-      ->capture_default_str();
-  command.add_option("--cells", flags->options.cells, "cells of a lattice along each axis")
-      ->type_name("M")
-      ->capture_default_str();
-  command.add_option("-o,--output", flags->output, "file to write: .vdb, .nrrd or .raw")
-      ->type_name("FILE")
-      ->required();
+  want_whole_number(
+      command.add_option("--size", flags->options.size, "voxels along the longest axis")
+          ->type_name("N")
+          ->capture_default_str(),
+      1);
+  want_whole_number(command.add_option("--holes", flags->options.holes, "holes through a plate")
+                        ->type_name("K")
+                        ->capture_default_str(),
+                    0, most_holes);
+  want_whole_number(
+      command.add_option("--cells", flags->options.cells, "cells of a lattice along each axis")
+          ->type_name("M")
+          ->capture_default_str(),
+      1, most_cells);
+  want_file_name(
+      command.add_option("-o,--output", flags->output, "file to write: .vdb, .nrrd or .raw")
+          ->type_name("FILE")
+          ->required());
   command.footer(
       "Examples:\n"
       "  isoloop generate engine_block --size 128 -o block.vdb\n"

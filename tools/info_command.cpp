@@ -7,11 +7,13 @@
 #include <CLI/CLI.hpp>
 
 #include "core/memory_budget.h"
+#include "tools/flag_kinds.h"
 #include "tools/input_flags.h"
 #include "tools/number_text.h"
 #include "tools/output_files.h"
 #include "tools/read_run.h"
 #include "tools/report_table.h"
+#include "tools/value_hints.h"
 #include "volume/memory_limit.h"
 
 namespace isoloop {
@@ -34,13 +36,15 @@ std::string affine_text(const Volume& volume) {
   return text;
 }
 
-void write_info(std::ostream& out, const std::string& file, const Volume& volume) {
+void write_info(std::ostream& out, const VolumeFlags& flags, const Volume& volume) {
+  const std::string& file = flags.file;
   const ValueRange range = value_range(volume);
   const std::uint64_t voxels = checked_voxel_count(volume.dims, file);
   out << "file       " << file << '\n';
   if (!volume.name.empty()) out << "grid       " << volume.name << '\n';
   out << "dims       " << dims_text(volume.dims) << "  (" << voxels << " voxels, "
       << bytes_text(voxels * bytes_per_voxel(voxel_type(volume.values))) << ")\n"
+      << (volume.part ? "part       " + part_text(volume, *volume.part) + "\n" : "")
       << "type       " << type_name(volume.values) << '\n'
       << "values     " << shortest_text(range.min) << " to " << shortest_text(range.max) << '\n'
       << "spacing    " << vector_text(volume.spacing) << '\n'
@@ -55,6 +59,9 @@ void write_info(std::ostream& out, const std::string& file, const Volume& volume
                            : "no: --iso must be stated, --inside is above unless stated otherwise")
       << '\n';
   for (const std::string& note : volume.notes) out << "note       " << note << '\n';
+  if (is_mask(range) && !volume.level_set && flags.label.empty()) {
+    out << "note       " << mask_hint(range) << '\n';
+  }
 }
 
 }  // namespace
@@ -69,9 +76,10 @@ void add_info_command(CLI::App& app) {
       "  isoloop info scan.raw --dims 512 512 300 --type i16 --spacing 0.4 0.4 0.8\n"
       "  isoloop info cloud.vdb --grid density");
   command.callback([flags] {
+    check_flags_fit_file(*flags);
     const Volume volume = read_volume(flags->file, read_options(*flags));
     print_warnings(std::cerr, volume);
-    write_info(std::cout, flags->file, volume);
+    write_info(std::cout, *flags, volume);
     finish_stdout();
   });
 }

@@ -2,44 +2,19 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
 #include <CLI/CLI.hpp>
 
 #include "core/errors.h"
-#include "tools/number_text.h"
+#include "tools/flag_checks.h"
+#include "tools/flag_lists.h"
+#include "tools/value_hints.h"
 #include "volume/file_kind.h"
 
 namespace isoloop {
 namespace {
-
-template <class Number>
-std::optional<Number> parse_number(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  Number number{};
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, number);
-  if (text.empty() || error != std::errc() || rest != end) return std::nullopt;
-  return number;
-}
-
-template <class Number>
-std::vector<Number> parse_list(std::string_view text, const std::string& complaint) {
-  constexpr std::string_view separators = " ,xX\t";
-  std::vector<Number> numbers;
-  while (true) {
-    const std::size_t start = text.find_first_not_of(separators);
-    if (start == std::string_view::npos) return numbers;
-    text.remove_prefix(start);
-    const std::string_view word = text.substr(0, text.find_first_of(separators));
-    const std::optional<Number> number = parse_number<Number>(word);
-    if (!number) throw InvalidArgument(complaint);
-    numbers.push_back(*number);
-    text.remove_prefix(word.size());
-  }
-}
 
 // How many numbers may follow a flag.
 std::size_t numbers_after(std::string_view flag) {
@@ -60,6 +35,19 @@ std::size_t numbers_after(std::string_view flag) {
   return 0;
 }
 
+void check_volume_flags(CLI::App& command) {
+  want_file_name(command.get_option("FILE"));
+  for (const char* flag : {"--dims", "--type", "--spacing", "--grid", "--series", "--label",
+                           "--crop", "--nan-as", "--max-memory"}) {
+    want_text(command.get_option(flag));
+  }
+  for (const char* flag : {"--skip", "--frame"}) want_whole_number(command.get_option(flag), 0);
+  for (const char* flag : {"--resolution", "--max-voxels"}) {
+    want_whole_number(command.get_option(flag), 1);
+  }
+  want_positive_number(command.get_option("--voxel"));
+}
+
 }  // namespace
 
 void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
@@ -75,12 +63,10 @@ void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
       .add_option("--type", flags.type,
                   "voxel type of a raw file: u8 i8 u16 i16 u32 i32 f32 f64, or uint8 ... float64")
       ->type_name("TYPE");
-  command.add_option("--endian", flags.endian, "byte order of a raw file")
+  command.add_option("--endian", flags.endian, "byte order of a raw file (default little)")
       ->check(CLI::IsMember({"little", "big"}))
-      ->type_name("ORDER")
-      ->capture_default_str();
+      ->type_name("ORDER");
   command.add_option("--skip", flags.skip, "bytes before the first voxel of a raw file")
-      ->check(CLI::NonNegativeNumber)
       ->type_name("BYTES");
   command
       .add_option("--spacing", flags.spacing,
@@ -89,7 +75,7 @@ void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
       ->type_name("S | X Y Z");
   command
       .add_option("--grid", flags.grid,
-                  "name of the grid in a .vdb file, of the array in a .vti file")
+                  "name of the grid in a .vdb file, of the array of points or cells in a .vti file")
       ->type_name("NAME");
   command.add_option("--frame", flags.frame, "which volume of a 4-D file, counted from 0")
       ->type_name("N");
@@ -102,6 +88,12 @@ void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
       .add_option("--label", flags.label,
                   "these labels of a label map are inside, all other voxels outside")
       ->type_name("N[,M...]");
+  command
+      .add_option(
+          "--crop", flags.crop,
+          "read this part alone: voxels along x, y and z, counted from 0, up to but without "
+          "the second number; 10:20,:,5: takes all along y")
+      ->type_name("X:X,Y:Y,Z:Z");
   command
       .add_option("--affine", flags.affine,
                   "which of a NIfTI file's maps to the world to use (default sform, then qform)")
@@ -132,8 +124,8 @@ void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
   command
       .add_option("--max-voxels", flags.max_voxels,
                   "give up, exit code 4, on a volume of more voxels")
-      ->check(CLI::PositiveNumber)
       ->type_name("N");
+  check_volume_flags(command);
 }
 
 void add_convention_flags(CLI::App& command, LevelFlags& flags) {
@@ -158,6 +150,7 @@ void add_level_flags(CLI::App& command, LevelFlags& flags) {
       .add_option("--iso", flags.iso,
                   "value of the iso-surface; a level set in a .vdb file has 0 by default")
       ->type_name("VALUE");
+  want_text(command.get_option("--iso"));
   add_convention_flags(command, flags);
   command
       .add_option("--connectivity", flags.connectivity,
@@ -182,7 +175,7 @@ ReadOptions read_options(const VolumeFlags& flags) {
     }
   }
   options.raw.endian = flags.endian == "big" ? Endian::big : Endian::little;
-  options.raw.skip = flags.skip;
+  options.raw.skip = flags.skip.value_or(0);
   if (!flags.spacing.empty()) {
     options.format.spacing = parse_spacing(flags.spacing);
     options.raw.spacing = *options.format.spacing;
@@ -191,15 +184,10 @@ ReadOptions read_options(const VolumeFlags& flags) {
   options.format.series = flags.series;
   if (flags.affine == "sform") options.format.transform = NiftiTransform::sform;
   if (flags.affine == "qform") options.format.transform = NiftiTransform::qform;
-  if (!flags.label.empty()) {
-    const std::string complaint =
-        "--label " + flags.label + " does not state labels, as --label 3 and --label 3,7 do";
-    options.labels = parse_list<std::int64_t>(flags.label, complaint);
-    if (options.labels.empty()) throw InvalidArgument(complaint);
-  }
+  if (!flags.label.empty()) options.labels = parse_labels(flags.label);
+  if (!flags.crop.empty()) options.crop = parse_crop(flags.crop);
   if (flags.world == "ras") options.world = Frame::ras;
   if (flags.world == "lps") options.world = Frame::lps;
-  options.max_voxels = flags.max_voxels;
   options.grid = flags.grid;
   options.format.array = flags.grid;
   options.nan_as = flags.nan_as;
@@ -212,16 +200,14 @@ ReadOptions read_options(const VolumeFlags& flags) {
   return options;
 }
 
-IsoLevel iso_level(const LevelFlags& flags, const Volume& volume) {
+IsoLevel iso_level(const LevelFlags& flags, const Volume& volume, const ValueRange& range) {
   IsoLevel level;
   if (flags.iso) {
     level.iso = *flags.iso;
   } else if (volume.mask) {
     level.iso = 0.5;
   } else if (!volume.level_set) {
-    const ValueRange range = value_range(volume);
-    throw InvalidArgument("--iso is required: the file is no level set; its values run from " +
-                          shortest_text(range.min) + " to " + shortest_text(range.max));
+    throw InvalidArgument("--iso is required: the file is no level set; " + values_text(range));
   }
   if (!std::isfinite(level.iso)) throw InvalidArgument("--iso must be a finite number");
   const bool below = flags.inside.empty() ? volume.level_set : flags.inside == "below";
@@ -263,7 +249,7 @@ Boundary boundary_of(const LevelFlags& flags) {
 Index3 parse_dims(std::string_view text) {
   const std::string complaint =
       "--dims " + std::string(text) + " does not state three voxel counts, as in --dims 64 64 32";
-  const std::vector<std::int64_t> dims = parse_list<std::int64_t>(text, complaint);
+  const std::vector<std::int64_t> dims = parse_list<std::int64_t>(text, ",xX", complaint);
   const bool positive = std::all_of(dims.begin(), dims.end(), [](std::int64_t n) { return n > 0; });
   if (dims.size() != 3 || !positive) throw InvalidArgument(complaint);
   return {dims[0], dims[1], dims[2]};
@@ -273,7 +259,7 @@ Vec3 parse_spacing(std::string_view text) {
   const std::string complaint = "--spacing " + std::string(text) +
                                 " does not state one or three lengths between 1e-18 and 1e18, as "
                                 "in --spacing 0.5 0.5 1.2";
-  const std::vector<double> lengths = parse_list<double>(text, complaint);
+  const std::vector<double> lengths = parse_list<double>(text, ",xX", complaint);
   if (!std::all_of(lengths.begin(), lengths.end(), is_spacing)) throw InvalidArgument(complaint);
   if (lengths.size() == 1) return {lengths[0], lengths[0], lengths[0]};
   if (lengths.size() != 3) throw InvalidArgument(complaint);

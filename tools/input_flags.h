@@ -17,12 +17,12 @@ namespace isoloop {
 /// What and how to read, as typed.
 struct VolumeFlags {
   std::string file;
-  std::string dims;  // "64 64 32" or "64x64x32" voxels; empty: not given
-  std::string type;  // of the voxels, "u8" to "f64"; empty: not given
-  std::string endian = "little";
-  std::uint64_t skip = 0;  // bytes before the first voxel
-  std::string spacing;     // one length per voxel, or one for each axis; empty: the file's
-  std::string grid;        // name of the grid in a .vdb file; empty: the only one
+  std::string dims;                   // "64 64 32" or "64x64x32" voxels; empty: not given
+  std::string type;                   // of the voxels, "u8" to "f64"; empty: not given
+  std::string endian;                 // "little", "big" or empty: little
+  std::optional<std::uint64_t> skip;  // bytes before the first voxel; unset: 0
+  std::string spacing;  // one length per voxel, or one for each axis; empty: the file's
+  std::string grid;     // name of the grid in a .vdb file; empty: the only one
   std::optional<std::int64_t> frame;  // of a 4-D file, from 0
   std::string series;                 // of DICOM slices: part of its identifier or description
   std::string affine;                 // "sform", "qform" or empty: as NIfTI's standard says
@@ -32,6 +32,7 @@ struct VolumeFlags {
   std::string max_memory;             // "4G"; empty: what the machine can spare
   std::uint64_t max_voxels = 0;       // 0: no bound of its own
   VoxelSize voxel_size{};             // of a mesh
+  std::string crop{};                 // "10:20,:,5:": voxels along x, y and z; empty: all
 };
 
 /// Where the solid's border runs, as typed.
@@ -57,9 +58,9 @@ void add_level_flags(CLI::App& command, LevelFlags& flags);
 ReadOptions read_options(const VolumeFlags& flags);
 
 /// A level set has the level 0 and its inside below unless the flags say otherwise; a mask has the
-/// level 0.5; other volumes have their inside above. Throws InvalidArgument if iso is missing or
-/// not finite.
-IsoLevel iso_level(const LevelFlags& flags, const Volume& volume);
+/// level 0.5; other volumes have their inside above. `range`: of the volume's values. Throws
+/// InvalidArgument if iso is missing, saying what the values suggest, or not finite.
+IsoLevel iso_level(const LevelFlags& flags, const Volume& volume, const ValueRange& range);
 
 /// As the flags spell it: "trilinear", "simple", or "6-connected" and the like.
 std::string topology_text(Topology topology);

@@ -11,6 +11,7 @@
 
 #include "core/errors.h"
 #include "tools/engine_flags.h"
+#include "tools/flag_checks.h"
 #include "tools/loops_run.h"
 #include "tools/output_files.h"
 #include "tools/page.h"
@@ -129,6 +130,12 @@ void find(const LoopsFlags& flags) {
   finish_stdout();
 }
 
+/// A flag that may be repeated, each time with one name.
+void add_files(CLI::App& command, const char* flag, std::vector<std::string>& names,
+               const char* text) {
+  want_file_name(command.add_option(flag, names, text)->allow_extra_args(false)->type_name("FILE"));
+}
+
 void add_report_flags(CLI::App& command, LoopsFlags& flags) {
   command
       .add_option("--min-size", flags.input.filter.min_size,
@@ -142,29 +149,23 @@ void add_report_flags(CLI::App& command, LoopsFlags& flags) {
       ->check(CLI::IsMember({"handle", "tunnel", "both"}))
       ->type_name("KIND")
       ->capture_default_str();
-  command.add_option("--json", flags.json, "write counts and loops as JSON; - is standard output")
-      ->type_name("FILE|-");
-  command.add_option("--csv", flags.csv, "write one line for each loop; - is standard output")
-      ->type_name("FILE|-");
-  command
-      .add_option(
-          "--ply", flags.ply,
-          "write the surface as a mesh, handle loops green, tunnel loops red, loops of neither "
-          "kind blue")
-      ->type_name("FILE");
-  command.add_option("--html", flags.html, "write a page to look at; - is standard output")
-      ->type_name("FILE|-");
+  const auto add_output = [&](const char* flag, std::string& name, const char* text,
+                              const char* type) {
+    want_file_name(command.add_option(flag, name, text)->type_name(type));
+  };
+  add_output("--json", flags.json, "write counts and loops as JSON; - is standard output",
+             "FILE|-");
+  add_output("--csv", flags.csv, "write one line for each loop; - is standard output", "FILE|-");
+  add_output("--ply", flags.ply,
+             "write the surface as a mesh, handle loops green, tunnel loops red, loops of neither "
+             "kind blue",
+             "FILE");
+  add_output("--html", flags.html, "write a page to look at; - is standard output", "FILE|-");
   add_page_flags(command, flags.page);
-  command
-      .add_option("--curves", flags.curves,
-                  "write the loops as curves: .vtp, .obj or .mrk.json (3D Slicer); may be repeated")
-      ->allow_extra_args(false)
-      ->type_name("FILE");
-  command
-      .add_option("--surface", flags.surface,
-                  "write the surface alone: .ply, .obj, .stl or .vtp; may be repeated")
-      ->allow_extra_args(false)
-      ->type_name("FILE");
+  add_files(command, "--curves", flags.curves,
+            "write the loops as curves: .vtp, .obj or .mrk.json (3D Slicer); may be repeated");
+  add_files(command, "--surface", flags.surface,
+            "write the surface alone: .ply, .obj, .stl or .vtp; may be repeated");
 }
 
 void add_feature_flags(CLI::App& command, LoopsFlags& flags) {
@@ -176,12 +177,8 @@ void add_feature_flags(CLI::App& command, LoopsFlags& flags) {
                   "a feature ends where its girth exceeds this times its loop's length (default "
                   "1.5: half a radius beyond the mouth of a bore)")
       ->type_name("RATIO");
-  command
-      .add_option("--labels", flags.labels,
-                  "write a volume with the labels of the features: .nrrd, .vdb or .raw; may be "
-                  "repeated")
-      ->allow_extra_args(false)
-      ->type_name("FILE");
+  add_files(command, "--labels", flags.labels,
+            "write a volume with the labels of the features: .nrrd, .vdb or .raw; may be repeated");
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/base64.h"
+#include "tools/flag_checks.h"
 #include "tools/number_text.h"
 #include "tools/report_features.h"
 #include "tools/report_table.h"
@@ -269,12 +270,13 @@ std::string plot_text(const RunResult& run) {
 }  // namespace
 
 void add_page_flags(CLI::App& command, PageOptions& options) {
-  command
-      .add_option("--triangles", options.most_triangles,
-                  "of the surface on the page: it is simplified, its topology stays")
-      ->check(CLI::NonNegativeNumber)
-      ->type_name("N")
-      ->capture_default_str();
+  want_whole_number(
+      command
+          .add_option("--triangles", options.most_triangles,
+                      "of the surface on the page: it is simplified, its topology stays")
+          ->type_name("N")
+          ->capture_default_str(),
+      1);
 }
 
 void write_page(std::ostream& out, const RunResult& run, const PageOptions& options) {

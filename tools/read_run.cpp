@@ -4,7 +4,9 @@
 #include <chrono>
 #include <iostream>
 
+#include "tools/flag_kinds.h"
 #include "tools/memory_cap.h"
+#include "tools/value_hints.h"
 #include "volume/memory_limit.h"
 
 namespace isoloop {
@@ -20,6 +22,8 @@ RunResult read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flag
   RunResult run;
   run.file = volume_flags.file;
   run.nan_as = volume_flags.nan_as;
+  check_flags_agree(volume_flags, level_flags);
+  check_flags_fit_file(volume_flags);
   ReadOptions options = read_options(volume_flags);
   // A layer of background would close the surface that is to end there.
   if (level_flags.open_boundary) options.margin = VdbMargin::none;
@@ -30,7 +34,11 @@ RunResult read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flag
   run.cost.max_bytes = limit - std::min(limit, peak_resident_bytes());
   print_warnings(std::cerr, run.volume);
   run.range = value_range(run.volume);
-  run.level = iso_level(level_flags, run.volume);
+  run.level = iso_level(level_flags, run.volume, run.range);
+  if (is_mask(run.range) && !run.volume.level_set && volume_flags.label.empty() &&
+      level_flags.connectivity.empty()) {
+    run.hint = mask_hint(run.range);
+  }
   run.cost.read_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return run;

@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include "core/errors.h"
+#include "tools/flag_checks.h"
 #include "tools/output_files.h"
 #include "tools/progress.h"
 #include "tools/read_run.h"
@@ -54,7 +55,7 @@ bool can_be_patched(const CommandFlags& flags, const Volume& volume) {
 /// Masks do not have the voxel type of the file that they were made from.
 void check_mask_file(const CommandFlags& flags, const Volume& volume) {
   if (file_kind(flags.output) != FileKind::raw) return;
-  if (flags.volume.skip > 0) {
+  if (flags.volume.skip.value_or(0) > 0) {
     throw InvalidArgument(
         "masks are written without a header: --label goes with --skip for --dry-run only");
   }
@@ -112,6 +113,10 @@ void write_repaired(const CommandFlags& flags, const Repair& repair, const Volum
 void repair(const CommandFlags& flags) {
   const auto start = std::chrono::steady_clock::now();
   const RepairRequest request = repair_request(flags.repair);
+  if (!flags.volume.crop.empty()) {
+    throw InvalidArgument(
+        "--crop does not go with repair, which writes the whole file with some voxels changed");
+  }
   if (flags.output.empty() && !flags.dry_run) {
     throw InvalidArgument("give --output FILE for the repaired volume, or --dry-run");
   }
@@ -153,11 +158,14 @@ void add_repair_command(CLI::App& app) {
   add_volume_flags(command, flags->volume);
   add_level_flags(command, flags->level);
   add_repair_flags(command, flags->repair);
-  command.add_option("-o,--output", flags->output, "the repaired volume, in the format of FILE")
-      ->type_name("FILE");
+  want_file_name(
+      command
+          .add_option("-o,--output", flags->output, "the repaired volume, in the format of FILE")
+          ->type_name("FILE"));
   command.add_flag("--dry-run", flags->dry_run, "report, and write no volume");
-  command.add_option("--json", flags->json, "write the report as JSON; - is standard output")
-      ->type_name("FILE|-");
+  want_file_name(
+      command.add_option("--json", flags->json, "write the report as JSON; - is standard output")
+          ->type_name("FILE|-"));
   add_thread_flag(command, flags->threads);
   add_progress_flags(command, flags->progress);
   command.footer(

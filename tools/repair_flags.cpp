@@ -1,5 +1,6 @@
 #include "tools/repair_flags.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -7,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "core/errors.h"
+#include "tools/flag_checks.h"
 
 namespace isoloop {
 namespace {
@@ -21,6 +23,8 @@ double length_of(const std::optional<double>& length, const char* flag) {
 
 LoopName loop_name(std::string_view word, const std::string& side) {
   const std::string whole(word);
+  const std::string wanted = "write h3,t7 for handle 3 and tunnel 7";
+  if (word.empty()) throw InvalidArgument("--ids: an id is missing beside a comma; " + wanted);
   LoopName name;
   if (word.starts_with('h') || word.starts_with('t')) {
     name.kind = word[0] == 'h' ? LoopKind::handle : LoopKind::tunnel;
@@ -33,7 +37,7 @@ LoopName loop_name(std::string_view word, const std::string& side) {
   }
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), name.id);
   if (error != std::errc() || end != word.data() + word.size() || name.id < 1) {
-    throw InvalidArgument("--ids: '" + whole + "' is no id; write h3,t7 for handle 3 and tunnel 7");
+    throw InvalidArgument("--ids: '" + whole + "' is no id; " + wanted);
   }
   return name;
 }
@@ -61,11 +65,12 @@ void add_repair_flags(CLI::App& command, RepairFlags& flags) {
   command.add_option("--side", flags.side, "what numbers without h or t mean in --ids")
       ->check(CLI::IsMember({"handle", "tunnel"}))
       ->type_name("KIND");
-  command
-      .add_option("--genus", flags.genus,
-                  "remove the shortest loops until the surface has this genus or less")
-      ->check(CLI::NonNegativeNumber)
-      ->type_name("N");
+  want_whole_number(
+      command
+          .add_option("--genus", flags.genus,
+                      "remove the shortest loops until the surface has this genus or less")
+          ->type_name("N"),
+      0);
 }
 
 RepairRequest repair_request(const RepairFlags& flags) {
@@ -79,11 +84,11 @@ RepairRequest repair_request(const RepairFlags& flags) {
   request.cut_handles = length_of(flags.cut_handles, "--cut-handles");
   request.either = length_of(flags.either, "--auto");
   request.genus = flags.genus;
-  std::string_view rest = flags.ids;
-  while (!rest.empty()) {
-    const std::size_t comma = rest.find(',');
-    request.loops.push_back(loop_name(rest.substr(0, comma), flags.side));
-    rest.remove_prefix(comma == std::string_view::npos ? rest.size() : comma + 1);
+  const std::string_view ids = flags.ids;
+  for (std::size_t at = 0; !ids.empty() && at <= ids.size();) {
+    const std::size_t comma = std::min(ids.find(',', at), ids.size());
+    request.loops.push_back(loop_name(ids.substr(at, comma - at), flags.side));
+    at = comma + 1;
   }
   return request;
 }

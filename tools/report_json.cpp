@@ -45,6 +45,7 @@ Json input_of(const RunResult& run) {
   return {{"file", run.file},
           {"grid", volume.name},
           {"dims", volume.dims},
+          {"part", part_json(volume)},
           {"type", type_name(volume.values)},
           {"spacing", volume.spacing},
           {"origin", volume.origin},
@@ -53,7 +54,7 @@ Json input_of(const RunResult& run) {
           {"minimum", run.range.min},
           {"maximum", run.range.max},
           {"nan_as", run.nan_as ? Json(*run.nan_as) : Json()},
-          {"notes", volume.notes},
+          {"notes", notes_of(run)},
           {"warnings", volume.warnings}};
 }
 
@@ -164,6 +165,11 @@ void write_list(std::ostream& out, const char* name, const Items& items, const T
 }
 
 }  // namespace
+
+Json part_json(const Volume& volume) {
+  if (!volume.part) return {};
+  return {{"first", volume.part->first}, {"of", volume.part->whole}};
+}
 
 void write_json(std::ostream& out, const RunResult& run) {
   const Surface& surface = run.analysis.surface;

@@ -3,6 +3,8 @@
 
 #include <ostream>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "tools/run_result.h"
 
 namespace isoloop {
@@ -13,5 +15,9 @@ namespace isoloop {
 /// the loop joins two components of the surface, is null. Without loops for `count`. All but the
 /// lines "seconds" and "peak_bytes" are the same bytes for any number of threads.
 void write_json(std::ostream& out, const RunResult& run);
+
+/// Which voxels of the file were read: `first` index along each axis, and the dims that the part is
+/// `of`; null: all of them.
+nlohmann::ordered_json part_json(const Volume& volume);
 
 }  // namespace isoloop

@@ -8,6 +8,7 @@
 
 #include "tools/input_flags.h"
 #include "tools/number_text.h"
+#include "tools/report_json.h"
 #include "tools/report_table.h"
 #include "tools/text_rows.h"
 #include "volume/memory_limit.h"
@@ -89,8 +90,7 @@ std::vector<std::size_t> widest_plateaus(const RunResult& run, std::size_t most)
 }
 
 void write_scan_table(std::ostream& out, const RunResult& run) {
-  out << run.file << ": " << dims_text(run.volume.dims) << ' ' << type_name(run.volume.values)
-      << ", inside is " << rule_text(run) << ", "
+  out << run.file << ": " << volume_text(run.volume) << ", inside is " << rule_text(run) << ", "
       << counted(static_cast<std::int64_t>(run.scan.size()), "iso value", "iso values") << " from "
       << shortest_text(run.scan.front().iso) << " to " << shortest_text(run.scan.back().iso)
       << "\n\n";
@@ -100,11 +100,13 @@ void write_scan_table(std::ostream& out, const RunResult& run) {
   if (!run.proposed) {
     out << "no iso value is proposed: no two neighbours give equal counts of a solid and an "
            "outside that both hold a thousandth of the voxels\n";
+    write_hint(out, run);
     return;
   }
   const std::size_t widest = widest_plateaus(run, 1).front();
   out << "proposed: --iso " << shortest_text(run.scan[*run.proposed].iso)
       << ", in the middle of the widest plateau, " << span_text(run, run.plateaus[widest]) << '\n';
+  write_hint(out, run);
 }
 
 void write_scan_csv(std::ostream& out, const RunResult& run) {
@@ -122,9 +124,12 @@ void write_scan_csv(std::ostream& out, const RunResult& run) {
 void write_scan_json(std::ostream& out, const RunResult& run) {
   const Json input = {{"file", run.file},
                       {"dims", run.volume.dims},
+                      {"part", part_json(run.volume)},
                       {"type", type_name(run.volume.values)},
                       {"minimum", run.range.min},
-                      {"maximum", run.range.max}};
+                      {"maximum", run.range.max},
+                      {"notes", notes_of(run)},
+                      {"warnings", run.volume.warnings}};
   const Json conventions = {
       {"inside_rule", run.level.inside == InsideRule::above ? "above" : "below"},
       {"topology", topology_text(run.level.topology)}};

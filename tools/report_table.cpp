@@ -165,6 +165,25 @@ void write_loops(std::ostream& out, const RunResult& run) {
 
 }  // namespace
 
+std::string part_text(const Volume& volume, const VolumePart& part) {
+  std::string text = "voxels ";
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (axis > 0) text += ',';
+    text += std::to_string(part.first[axis]) + ":";
+    text += std::to_string(part.first[axis] + volume.dims[axis]);
+  }
+  return text + " of " + dims_text(part.whole);
+}
+
+std::string volume_text(const Volume& volume) {
+  const std::string text = dims_text(volume.dims) + " " + type_name(volume.values);
+  return volume.part ? text + " (" + part_text(volume, *volume.part) + ")" : text;
+}
+
+void write_hint(std::ostream& out, const RunResult& run) {
+  if (!run.hint.empty()) out << "\nnote: " << run.hint << '\n';
+}
+
 std::string inside_text(const IsoLevel& level) {
   return (level.inside == InsideRule::above ? "f >= " : "f <= ") + shortest_text(level.iso);
 }
@@ -212,14 +231,15 @@ std::string frame_comment(const RunResult& run) {
 }
 
 void write_table(std::ostream& out, const RunResult& run) {
-  out << run.file << ": " << dims_text(run.volume.dims) << ' ' << type_name(run.volume.values)
-      << ", inside is " << inside_text(run.level) << "\n\n";
+  out << run.file << ": " << volume_text(run.volume) << ", inside is " << inside_text(run.level)
+      << "\n\n";
   write_counts(out, run);
   write_level_note(out, run);
   if (run.with_loops)
     write_loops(out, run);
   else
     write_components(out, run.analysis.surface);
+  write_hint(out, run);
 }
 
 }  // namespace isoloop

@@ -13,6 +13,15 @@ namespace isoloop {
 /// unit of the spacing, with the digits that a hundredth of a voxel asks for.
 void write_table(std::ostream& out, const RunResult& run);
 
+/// "256 x 256 x 128 uint8", and which part of the file that is, unless it is all of it.
+std::string volume_text(const Volume& volume);
+
+/// "voxels 10:20,0:256,5:128 of 256 x 256 x 128".
+std::string part_text(const Volume& volume, const VolumePart& part);
+
+/// "note: ..." after an empty line, unless the run has no hint.
+void write_hint(std::ostream& out, const RunResult& run);
+
 /// "f >= 70" or "f <= 70": which voxels are inside.
 std::string inside_text(const IsoLevel& level);
 

@@ -93,6 +93,12 @@ std::vector<Loop> select_loops(const std::vector<Loop>& loops, const LoopFilter&
   return selected;
 }
 
+std::vector<std::string> notes_of(const RunResult& run) {
+  std::vector<std::string> notes = run.volume.notes;
+  if (!run.hint.empty()) notes.push_back(run.hint);
+  return notes;
+}
+
 std::uint64_t peak_resident_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

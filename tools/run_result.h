@@ -44,6 +44,7 @@ struct RunResult {
   ValueRange range;
   std::optional<double> nan_as;  // the value that was read in place of NaN
   IsoLevel level;
+  std::string hint{};  // what the values suggest, for a mask that was not read as one; or empty
   GeodesicMode geodesic = GeodesicMode::hierarchy;
   Engine engine = Engine::dual;
   Refinement refinement = Refinement::both;  // of the engine `pair`
@@ -59,6 +60,9 @@ struct RunResult {
   std::optional<std::size_t> proposed{};  // of `scan`: the row to look at first, if any
   RunCost cost;
 };
+
+/// The volume's notes and the hint.
+std::vector<std::string> notes_of(const RunResult& run);
 
 /// Throws SelfCheckFailed unless every component of the surface is closed (or, with an open
 /// boundary, a surface with a border), the parts add up to the whole, and the Betti numbers are

@@ -8,6 +8,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "core/errors.h"
+#include "core/scan.h"
+#include "tools/flag_checks.h"
 #include "tools/output_files.h"
 #include "tools/progress.h"
 #include "tools/read_run.h"
@@ -34,6 +37,9 @@ void scan(const ScanFlags& flags) {
   outputs.add("--json", flags.json, write_scan_json);
   outputs.add("--csv", flags.csv, write_scan_csv);
   outputs.add("--svg", flags.svg, write_scan_svg);
+  if (!flags.volume.label.empty()) {
+    throw InvalidArgument("scan looks for an iso value, and --label takes none; use count");
+  }
   ProgressLine progress(std::cerr, progress_options(flags.progress));
   LevelFlags level = flags.level;
   level.iso = 0.0;  // stands in until an iso value is proposed
@@ -58,23 +64,25 @@ void add_scan_command(CLI::App& app) {
   auto flags = std::make_shared<ScanFlags>();
   add_volume_flags(command, flags->volume);
   add_convention_flags(command, flags->level);
-  command
-      .add_option("--values", flags->range.values,
-                  "how many iso values to look at (default 256, or all integers of a small range)")
-      ->type_name("N");
+  want_whole_number(
+      command
+          .add_option(
+              "--values", flags->range.values,
+              "how many iso values to look at (default 256, or all integers of a small range)")
+          ->type_name("N"),
+      1, max_scan_values);
   command
       .add_option("--from", flags->range.from, "the least of them (default: the least voxel value)")
       ->type_name("VALUE");
   command
       .add_option("--to", flags->range.to, "the largest of them (default: the largest voxel value)")
       ->type_name("VALUE");
-  command.add_option("--json", flags->json, "write the counts as JSON; - is standard output")
-      ->type_name("FILE|-");
-  command
-      .add_option("--csv", flags->csv, "write one line for each iso value; - is standard output")
-      ->type_name("FILE|-");
-  command.add_option("--svg", flags->svg, "draw the counts as curves; - is standard output")
-      ->type_name("FILE|-");
+  const auto add_output = [&](const char* flag, std::string& name, const char* text) {
+    want_file_name(command.add_option(flag, name, text)->type_name("FILE|-"));
+  };
+  add_output("--json", flags->json, "write the counts as JSON; - is standard output");
+  add_output("--csv", flags->csv, "write one line for each iso value; - is standard output");
+  add_output("--svg", flags->svg, "draw the counts as curves; - is standard output");
   add_progress_flags(command, flags->progress);
   command.footer(
       "Examples:\n"

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/flag_checks.h"
 #include "tools/loops_run.h"
 #include "tools/output_files.h"
 #include "tools/page.h"
@@ -47,11 +48,12 @@ void add_view_command(CLI::App& app) {
   flags->input.features_may_lack = true;
   add_volume_flags(command, flags->input.volume);
   add_level_flags(command, flags->input.level);
-  command
-      .add_option("-o,--output", flags->output,
-                  "page to write, one file that needs no network; - is standard output")
-      ->type_name("FILE|-")
-      ->required();
+  want_file_name(
+      command
+          .add_option("-o,--output", flags->output,
+                      "page to write, one file that needs no network; - is standard output")
+          ->type_name("FILE|-")
+          ->required());
   add_page_flags(command, flags->page);
   add_thread_flag(command, flags->input.threads);
   add_progress_flags(command, flags->progress);

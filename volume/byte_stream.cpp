@@ -134,6 +134,14 @@ void ByteStream::read(std::span<std::byte> to, const std::string& what) {
 
 void ByteStream::skip(std::uint64_t bytes, const std::string& what) {
   check_room(bytes, what);
+  if (state_->packing == Packing::plain && bytes > chunk_bytes) {
+    if (!state_->file.seekg(static_cast<std::streamoff>(bytes), std::ios::cur)) {
+      state_->fail("reading stopped before the file's end; fetch the file again");
+    }
+    state_->stored_left -= bytes;
+    state_->position += bytes;
+    return;
+  }
   std::array<std::byte, 4096> dropped{};
   while (bytes > 0) {
     const auto now = static_cast<std::size_t>(std::min<std::uint64_t>(bytes, dropped.size()));

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cstddef>
 #include <span>
+#include <system_error>
 
 #include "core/errors.h"
 
@@ -80,10 +81,12 @@ std::vector<std::int64_t> whole_numbers_of(std::string_view text, std::size_t co
   return all_parsed<std::int64_t>(text, count, what);
 }
 
-std::string read_line(ByteStream& stream, const std::string& what) {
+std::string read_line_or_rest(ByteStream& stream, const std::string& what, bool& is_ended) {
   constexpr std::size_t longest = std::size_t{1} << 16;
   std::string line;
   while (line.size() < longest) {
+    is_ended = line.empty() || stream.most_left() > 0;
+    if (!is_ended) return line;
     std::byte next{};
     stream.read(std::span(&next, 1), "its header");
     if (next == std::byte{'\n'}) {
@@ -93,6 +96,30 @@ std::string read_line(ByteStream& stream, const std::string& what) {
     line.push_back(static_cast<char>(next));
   }
   throw InvalidInput(what + ": a line of its header is longer than 64 KiB; is it such a file?");
+}
+
+std::string read_line(ByteStream& stream, const std::string& what) {
+  bool is_ended = true;
+  std::string line = read_line_or_rest(stream, what, is_ended);
+  if (!is_ended) throw InvalidInput(what + ": ends within its header; fetch the file again");
+  return line;
+}
+
+std::string unended_header_warning(const std::string& what) {
+  return what + ": the last line of the header has no end; it is taken to be whole";
+}
+
+bool names_several_files(const std::filesystem::path& header, std::string_view name) {
+  if (name.empty()) return true;
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(beside(header, name), ignored)) return false;
+  if (lower_case(words_of(name).front()) == "list") return true;
+  for (std::size_t at = name.find('%'); at != std::string_view::npos; at = name.find('%', at + 1)) {
+    const std::size_t end = name.find_first_not_of("0123456789", at + 1);
+    if (end != std::string_view::npos && (name[end] == 'd' || name[end] == 'i' || name[end] == 'u'))
+      return true;
+  }
+  return false;
 }
 
 std::filesystem::path beside(const std::filesystem::path& header, std::string_view name) {

@@ -37,6 +37,16 @@ std::vector<std::int64_t> whole_numbers_of(std::string_view text, std::size_t co
 /// file ends before the line does, or if it is longer than 64 KiB.
 std::string read_line(ByteStream& stream, const std::string& what);
 
+/// The same, but where the file ends within the line, what is there of it, with `is_ended` false.
+std::string read_line_or_rest(ByteStream& stream, const std::string& what, bool& is_ended);
+
+/// What is said where a header without an end to its last line is read.
+std::string unended_header_warning(const std::string& what);
+
+/// Whether what a header says of its data file stands for several: a list of names, or a pattern
+/// with numbers such as "slice%03d.raw 1 20 1". A file that is there by that very name is one.
+bool names_several_files(const std::filesystem::path& header, std::string_view name);
+
 /// The file that a header names: beside the header unless the name is a whole path.
 std::filesystem::path beside(const std::filesystem::path& header, std::string_view name);
 

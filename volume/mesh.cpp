@@ -5,9 +5,11 @@
 #include <numeric>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include "core/errors.h"
 #include "volume/memory_limit.h"
+#include "volume/mesh_closure.h"
 #include "volume/mesh_text.h"
 
 namespace isoloop {
@@ -73,7 +75,7 @@ void weld(Mesh& mesh) {
                 [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
 }
 
-Mesh parse(std::string_view bytes, MeshKind kind, const std::string& what) {
+ParsedMesh parse(std::string_view bytes, MeshKind kind, const std::string& what) {
   switch (kind) {
     case MeshKind::stl:
       return parse_stl(bytes, what);
@@ -92,12 +94,18 @@ Mesh parse(std::string_view bytes, MeshKind kind, const std::string& what) {
 bool is_mesh(const std::filesystem::path& path) { return mesh_kind(path).has_value(); }
 
 Mesh parse_mesh(std::string_view bytes, MeshKind kind, const std::string& what) {
-  Mesh mesh = parse(bytes, kind, what);
+  ParsedMesh parsed = parse(bytes, kind, what);
+  Mesh& mesh = parsed.mesh;
   weld(mesh);
   if (mesh.triangles.empty()) {
     throw InvalidInput(what + ": the file holds no triangle; export the surface as triangles");
   }
-  return mesh;
+  if (parsed.last_face_may_be_cut && closure_of(mesh).open_edges > 0) {
+    throw InvalidInput(what +
+                       ": the last line does not end and the mesh is open, so the file may " +
+                       "be cut; fetch or export it again, or end the line if it is whole");
+  }
+  return std::move(mesh);
 }
 
 Mesh read_mesh(const std::filesystem::path& path, std::uint64_t max_bytes) {

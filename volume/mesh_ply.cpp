@@ -5,6 +5,7 @@
 #include <cstring>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "volume/mesh_text.h"
 
@@ -51,8 +52,6 @@ enum class Format { ascii, little, big };
 struct Header {
   Format format = Format::ascii;
   std::vector<Element> elements;
-  std::size_t lines = 0;  // of the header
-  std::size_t bytes = 0;
 };
 
 Scalar scalar_of(const LineReader& lines, std::string_view word) {
@@ -83,9 +82,6 @@ Property property_of(const LineReader& lines, const Element& element) {
   }
   property.type = scalar_of(lines, words[list ? 3 : 1]);
   property.use = use_of(element, words[list ? 4 : 2], list);
-  if (property.use == Use::corners && !is_whole(property.type)) {
-    throw lines.error("corners are whole numbers");
-  }
   for (const Property& other : element.properties) {
     if (property.use != Use::none && other.use == property.use) {
       throw lines.error("a property is stated twice");
@@ -94,47 +90,62 @@ Property property_of(const LineReader& lines, const Element& element) {
   return property;
 }
 
-Header parse_header(std::string_view bytes, const std::string& what) {
-  constexpr std::string_view last_line = "end_header";
-  const std::size_t found = bytes.find("\nend_header");
-  const std::size_t end = found == std::string_view::npos ? found : bytes.find('\n', found + 1);
-  if (!bytes.starts_with("ply") || end == std::string_view::npos) {
-    throw InvalidInput(what + ": no whole PLY header, from 'ply' to '" + std::string(last_line) +
-                       "'; fetch or export the file again");
+Format format_of(const LineReader& lines) {
+  const auto& words = lines.words();
+  if (words.size() == 3 && words[2] == "1.0") {
+    if (words[1] == "ascii") return Format::ascii;
+    if (words[1] == "binary_little_endian") return Format::little;
+    if (words[1] == "binary_big_endian") return Format::big;
   }
+  throw lines.error("no format that PLY has");
+}
+
+Element element_of(const LineReader& lines) {
+  const auto& words = lines.words();
+  if (words.size() != 3) throw lines.error("an element has a name and a count");
+  constexpr std::int64_t most = std::int64_t{1} << 62;
+  const auto count = static_cast<std::uint64_t>(lines.whole(words[2], 0, most));
+  if (words[1] == "tristrips" && count > 0) {
+    throw lines.error("triangle strips are not read; export triangles");
+  }
+  return {std::string(words[1]), count, {}};
+}
+
+/// Leaves `lines` at the line "end_header".
+Header parse_header(LineReader& lines, const std::string& what) {
   Header header;
-  header.bytes = end + 1;
-  const std::string_view text = bytes.substr(0, header.bytes);
-  header.lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-  LineReader lines(text, what);
-  lines.next();
   bool has_format = false;
-  while (lines.next()) {
+  const bool begins = lines.next() && lines.words()[0] == "ply";
+  while (begins && lines.next() && lines.line_ends()) {
     const auto& words = lines.words();
     if (words[0] == "comment" || words[0] == "obj_info") continue;
-    if (words[0] == last_line) break;
+    if (words[0] == "end_header") {
+      if (!has_format) throw lines.error("the format is missing");
+      return header;
+    }
     if (words[0] == "format") {
-      has_format = words.size() == 3 && words[2] == "1.0";
-      if (has_format && words[1] == "binary_little_endian") {
-        header.format = Format::little;
-      } else if (has_format && words[1] == "binary_big_endian") {
-        header.format = Format::big;
-      } else if (!has_format || words[1] != "ascii") {
-        throw lines.error("no format that PLY has");
-      }
+      header.format = format_of(lines);
+      has_format = true;
     } else if (words[0] == "element") {
-      if (words.size() != 3) throw lines.error("an element has a name and a count");
-      constexpr std::int64_t most = std::int64_t{1} << 62;
-      header.elements.push_back(
-          {std::string(words[1]), static_cast<std::uint64_t>(lines.whole(words[2], 0, most)), {}});
+      header.elements.push_back(element_of(lines));
     } else if (words[0] == "property" && !header.elements.empty()) {
       header.elements.back().properties.push_back(property_of(lines, header.elements.back()));
     } else {
       throw lines.error("no line of a PLY header begins so");
     }
   }
-  if (!has_format) throw lines.error("the format is missing");
-  return header;
+  throw InvalidInput(what + ": no whole PLY header, from 'ply' to 'end_header'; fetch or export " +
+                     "the file again");
+}
+
+/// Where the body begins, after the line whose first word is `last`, which ends as the first line
+/// does: where lines end with "\r", a "\n" that follows is the body's.
+std::size_t body_begin(std::string_view bytes, std::string_view last) {
+  const std::size_t first = bytes.find_first_of("\r\n");
+  const bool returns_alone = bytes[first] == '\r' && !bytes.substr(first).starts_with("\r\n");
+  const auto word = static_cast<std::size_t>(last.data() - bytes.data());
+  const std::size_t end = bytes.find_first_of("\r\n", word);
+  return end + (!returns_alone && bytes.substr(end).starts_with("\r\n") ? 2 : 1);
 }
 
 /// The values of the body, one after the other.
@@ -143,6 +154,7 @@ class Body {
   virtual ~Body() = default;
   virtual void begin_item() = 0;
   virtual double value(Scalar type) = 0;
+  virtual void skip(Scalar type) = 0;  // a value that need be no number
   virtual InvalidInput error(const std::string& why) const = 0;
   virtual std::uint64_t bytes_left() const = 0;
   virtual std::uint64_t least_bytes(Scalar type) const = 0;
@@ -180,6 +192,7 @@ class BinaryBody : public Body {
     }
     return 0.0;
   }
+  void skip(Scalar type) override { value(type); }
   InvalidInput error(const std::string& why) const override {
     return InvalidInput(what_ + ": byte " + std::to_string(at_) + ": " + why +
                         "; fetch or export the file again");
@@ -208,8 +221,7 @@ class BinaryBody : public Body {
 /// One item in each line, as PLY asks for.
 class AsciiBody : public Body {
  public:
-  AsciiBody(std::string_view text, const std::string& what, std::size_t first_line)
-      : lines_(text, what, first_line) {}
+  explicit AsciiBody(LineReader lines) : lines_(std::move(lines)) {}
 
   void begin_item() override {
     expect_end_of_line();
@@ -217,14 +229,19 @@ class AsciiBody : public Body {
     word_ = 0;
   }
   double value(Scalar) override { return lines_.number(word_++); }
+  void skip(Scalar) override {
+    if (word_++ >= lines_.words().size()) throw lines_.error("a number is missing");
+  }
   InvalidInput error(const std::string& why) const override { return lines_.error(why); }
-  std::uint64_t bytes_left() const override { return lines_.bytes_left(); }
+  // The last line may do without its end.
+  std::uint64_t bytes_left() const override { return lines_.bytes_left() + 1; }
   std::uint64_t least_bytes(Scalar) const override { return 2; }
   std::uint64_t most_values(Scalar) const override { return lines_.words().size(); }
   void expect_end() {
     expect_end_of_line();
     if (lines_.next()) throw lines_.error("more lines than the header states");
   }
+  bool line_ends() const { return lines_.line_ends(); }
 
  private:
   void expect_end_of_line() const {
@@ -232,7 +249,7 @@ class AsciiBody : public Body {
   }
 
   LineReader lines_;
-  std::size_t word_ = 0;
+  std::size_t word_ = lines_.words().size();  // the last line of the header is done with
 };
 
 std::int64_t whole(const Body& body, double value, double least, double most) {
@@ -257,82 +274,109 @@ void check_room(const Body& body, const Element& element) {
   }
 }
 
-void read_corners(Body& body, const Property& property, std::size_t points, bool used,
+void read_corners(Body& body, const Property& property, std::size_t points,
                   std::vector<std::uint32_t>& polygon) {
   const double stated = body.value(*property.count);
   const auto most = static_cast<double>(body.most_values(property.type));
-  const std::int64_t count = whole(body, stated, used ? 3.0 : 0.0, most);
+  const std::int64_t count = whole(body, stated, 0.0, most);
   polygon.clear();
   for (std::int64_t c = 0; c < count; ++c) {
-    const double value = body.value(property.type);
-    if (!used) continue;
+    if (property.use != Use::corners) {
+      body.skip(property.type);
+      continue;
+    }
     const double last = static_cast<double>(points) - 1.0;
-    polygon.push_back(static_cast<std::uint32_t>(whole(body, value, 0.0, last)));
+    polygon.push_back(
+        static_cast<std::uint32_t>(whole(body, body.value(property.type), 0.0, last)));
   }
 }
 
-void read_element(Body& body, const Element& element, Mesh& mesh) {
-  check_room(body, element);
-  const bool vertex = element.name == "vertex";
-  const bool face = element.name == "face";
+void check_properties(const Body& body, const Element& element) {
   std::array<bool, 5> has{};
   for (const Property& property : element.properties) {
     has.at(static_cast<std::size_t>(property.use)) = true;
   }
-  if (vertex && !(has[1] && has[2] && has[3])) throw body.error("vertices have no x, y and z");
-  if (face && !has[4]) throw body.error("faces have no vertex_indices");
+  if (element.name == "vertex" && !(has[1] && has[2] && has[3])) {
+    throw body.error("vertices have no x, y and z");
+  }
+  if (element.name == "face" && !has[4]) throw body.error("faces have no vertex_indices");
+}
+
+/// Returns how many faces have fewer than three corners.
+std::size_t read_element(Body& body, const Element& element, Mesh& mesh) {
+  check_room(body, element);
+  check_properties(body, element);
+  const bool vertex = element.name == "vertex";
   if (vertex) mesh.points.reserve(mesh.points.size() + element.count);
   std::vector<std::uint32_t> polygon;
+  std::size_t too_small = 0;
   for (std::uint64_t i = 0; i < element.count; ++i) {
     body.begin_item();
     Vec3 point{};
     for (const Property& property : element.properties) {
       if (property.count) {
-        const bool used = property.use == Use::corners;
-        read_corners(body, property, mesh.points.size(), used, polygon);
-        if (used) append_fan(mesh, polygon);
-        continue;
+        read_corners(body, property, mesh.points.size(), polygon);
+        if (property.use != Use::corners) continue;
+        append_fan(mesh, polygon);
+        too_small += polygon.size() < 3 ? 1 : 0;
+      } else if (property.use == Use::none) {
+        body.skip(property.type);
+      } else {
+        const double value = body.value(property.type);
+        if (!std::isfinite(value)) throw body.error("a coordinate is not finite");
+        point.at(static_cast<std::size_t>(property.use) - 1) = value;
       }
-      const double value = body.value(property.type);
-      if (property.use == Use::none) continue;
-      if (!std::isfinite(value)) throw body.error("a coordinate is not finite");
-      point.at(static_cast<std::size_t>(property.use) - 1) = value;
     }
     if (vertex) mesh.points.push_back(point);
   }
+  return too_small;
 }
 
-Mesh read_elements(Body& body, const Header& header) {
+Mesh read_elements(Body& body, const Header& header, const std::string& what) {
   Mesh mesh;
   int vertices = 0;
+  std::size_t too_small = 0;
   for (const Element& element : header.elements) {
     vertices += element.name == "vertex" ? 1 : 0;
     if (vertices > 1) throw body.error("two lists of vertices");
     if (element.count > static_cast<std::uint64_t>(most_points)) {
       throw body.error("the header states more than isoloop can number");
     }
-    read_element(body, element, mesh);
+    too_small += read_element(body, element, mesh);
   }
+  if (too_small > 0) mesh.warnings.push_back(small_faces_warning(too_small, what));
   return mesh;
+}
+
+/// Whether the last number of the body is a corner to which a digit could be added.
+bool ends_within_corner(const Header& header, const Mesh& mesh) {
+  const auto last = std::find_if(header.elements.rbegin(), header.elements.rend(),
+                                 [](const Element& element) { return element.count > 0; });
+  return last != header.elements.rend() && last->properties.back().use == Use::corners &&
+         last_corner_could_go_on(mesh);
 }
 
 }  // namespace
 
-Mesh parse_ply(std::string_view bytes, const std::string& what) {
-  const Header header = parse_header(bytes, what);
+ParsedMesh parse_ply(std::string_view bytes, const std::string& what) {
+  LineReader lines(bytes, what);
+  const Header header = parse_header(lines, what);
   if (header.format == Format::ascii) {
-    AsciiBody body(bytes.substr(header.bytes), what, header.lines + 1);
-    Mesh mesh = read_elements(body, header);
+    AsciiBody body(std::move(lines));
+    ParsedMesh parsed{.mesh = read_elements(body, header, what)};
     body.expect_end();
-    return mesh;
+    if (body.line_ends()) return parsed;
+    parsed.mesh.warnings.push_back(unended_warning(what));
+    parsed.last_face_may_be_cut = ends_within_corner(header, parsed.mesh);
+    return parsed;
   }
-  BinaryBody body(bytes, header.bytes, header.format == Format::big, what);
-  Mesh mesh = read_elements(body, header);
+  BinaryBody body(bytes, body_begin(bytes, lines.words()[0]), header.format == Format::big, what);
+  ParsedMesh parsed{.mesh = read_elements(body, header, what)};
   if (body.bytes_left() > 0) {
     throw body.error("the file is longer than its header states, by " +
                      std::to_string(body.bytes_left()) + " bytes");
   }
-  return mesh;
+  return parsed;
 }
 
 }  // namespace isoloop

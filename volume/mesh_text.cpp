@@ -1,5 +1,6 @@
 #include "volume/mesh_text.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <utility>
@@ -9,7 +10,7 @@
 namespace isoloop {
 namespace {
 
-constexpr std::string_view blanks = " \t\r\v\f";
+constexpr std::string_view blanks = " \t\v\f";
 constexpr std::size_t most_quoted = 40;  // characters of a garbled word in a message
 
 std::string quoted(std::string_view word) {
@@ -20,20 +21,18 @@ std::string quoted(std::string_view word) {
 
 }  // namespace
 
-LineReader::LineReader(std::string_view text, std::string what, std::size_t first_line)
-    : text_(text), what_(std::move(what)), line_(first_line - 1) {
-  if (!text_.empty() && text_.back() == '\n') return;
-  throw InvalidInput(what_ + ": the last line does not end, so the file may be cut; fetch or " +
-                     "export it again, or end the line if it is whole");
+LineReader::LineReader(std::string_view text, std::string what)
+    : text_(text), what_(std::move(what)) {
+  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+  if (text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
 }
 
-bool LineReader::next(char comment) {
+bool LineReader::next(char comment, char goes_on) {
   words_.clear();
-  while (words_.empty() && !text_.empty()) {
+  bool joined = false;  // with the next line
+  while ((words_.empty() || joined) && !text_.empty()) {
     ++line_;
-    const std::size_t end = text_.find('\n');
-    std::string_view line = text_.substr(0, end);
-    text_.remove_prefix(end + 1);
+    std::string_view line = take_line();
     if (comment != 0) line = line.substr(0, line.find(comment));
     while (true) {
       const std::size_t start = line.find_first_not_of(blanks);
@@ -42,8 +41,27 @@ bool LineReader::next(char comment) {
       words_.push_back(line.substr(0, line.find_first_of(blanks)));
       line.remove_prefix(words_.back().size());
     }
+    joined = goes_on != 0 && !words_.empty() && words_.back().ends_with(goes_on);
+    if (!joined) continue;
+    words_.back().remove_suffix(1);
+    if (words_.back().empty()) words_.pop_back();
   }
   return !words_.empty();
+}
+
+std::string_view LineReader::take_line() {
+  const std::size_t end = text_.find_first_of("\r\n");
+  const std::string_view line = text_.substr(0, end);
+  line_ends_ = end != std::string_view::npos || line.find_first_not_of(blanks) == end;
+  const bool two_letters = text_.substr(std::min(end, text_.size())).starts_with("\r\n");
+  text_.remove_prefix(end == std::string_view::npos ? text_.size() : end + (two_letters ? 2 : 1));
+  return line;
+}
+
+std::string_view LineReader::text_after(std::size_t word) const {
+  if (word + 1 >= words_.size()) return {};
+  const char* const first = words_[word + 1].data();
+  return {first, static_cast<std::size_t>(words_.back().data() + words_.back().size() - first)};
 }
 
 InvalidInput LineReader::error(const std::string& why) const {
@@ -75,6 +93,25 @@ std::int64_t LineReader::whole(std::string_view word, std::int64_t least, std::i
                 std::to_string(most));
   }
   return *value;
+}
+
+bool same_word(std::string_view word, std::string_view lower_case) {
+  return std::equal(word.begin(), word.end(), lower_case.begin(), lower_case.end(),
+                    [](char a, char b) { return a == b || (a >= 'A' && a <= 'Z' && a + 32 == b); });
+}
+
+bool last_corner_could_go_on(const Mesh& mesh) {
+  return !mesh.triangles.empty() &&
+         std::uint64_t{10} * mesh.triangles.back()[2] < mesh.points.size();
+}
+
+std::string unended_warning(const std::string& what) {
+  return what + ": the last line has no end; the file is taken to be whole";
+}
+
+std::string small_faces_warning(std::size_t count, const std::string& what) {
+  return what + ": " + std::to_string(count) +
+         " faces of fewer than three corners hold no surface and were left out";
 }
 
 void append_fan(Mesh& mesh, const std::vector<std::uint32_t>& polygon) {

@@ -21,10 +21,12 @@ namespace {
 /// Lines "Name = value" by name in small letters, the last of which says where the voxels are.
 using Fields = std::map<std::string, std::string>;
 
-Fields read_fields(ByteStream& stream, const std::string& what) {
+/// An unended last line may be that of the data file's name, which that file proves.
+Fields read_fields(ByteStream& stream, const std::string& what, bool& is_ended) {
   Fields fields;
   while (!fields.contains("elementdatafile")) {
-    const std::string line = read_line(stream, what);
+    const std::string line = read_line_or_rest(stream, what, is_ended);
+    if (trimmed(line).empty()) continue;
     const std::size_t equals = line.find('=');
     if (equals == std::string::npos) {
       refuse(what, "its header has a line without '=': '" + line.substr(0, 80) + "'");
@@ -78,7 +80,7 @@ StoredType type_of(const std::string& name, const std::string& what) {
                                                {"MET_FLOAT", StoredType::float32},
                                                {"MET_DOUBLE", StoredType::float64}}};
   for (const auto& [text, type] : names) {
-    if (name == text) return type;
+    if (lower_case(name) == lower_case(text)) return type;
   }
   refuse(what, "holds voxels of type '" + name + "', which isoloop does not read");
 }
@@ -105,7 +107,7 @@ VoxelLayout layout_of(const Fields& fields, const std::string& what) {
   if (!channels.empty() && whole_numbers_of(channels, 1, what).front() != 1) {
     refuse(what, "holds " + channels + " numbers per voxel (multi-channel); take one channel");
   }
-  if (!flag(fields, {"binarydata"}, false, what)) {
+  if (!flag(fields, {"binarydata"}, true, what)) {
     refuse(what, "holds its voxels as text; convert them to binary (BinaryData = True)");
   }
   if (flag(fields, {"binarydatabyteordermsb", "elementbyteordermsb"}, false, what)) {
@@ -174,15 +176,14 @@ void read_data(const Fields& fields, const std::filesystem::path& data, std::uin
   }
   const std::string stated = first_of(fields, {"compresseddatasize"});
   ByteStream stream(data, packed ? Packing::zlib : Packing::plain, first);
-  if (packed && !stated.empty()) {
-    const auto bytes = static_cast<std::uint64_t>(whole_numbers_of(stated, 1, what).front());
-    if (stored_bytes(data) - first != bytes) {
-      refuse(what, "its header states " + stated + " compressed bytes, but " +
-                       std::to_string(stored_bytes(data) - first) +
-                       " are there; fetch the file again");
-    }
-  }
+  const std::uint64_t present = stored_bytes(data) - first;
   read_voxels(stream, layout, frame, limits, what, volume);
+  // The voxels' own checksum was there and right.
+  if (packed && !stated.empty() && stated != std::to_string(present)) {
+    volume.warnings.push_back("the header states " + stated + " compressed bytes, but " +
+                              std::to_string(present) +
+                              " are there: their checksum proves that they are whole");
+  }
 }
 
 }  // namespace
@@ -191,17 +192,18 @@ Volume read_meta_image(const std::filesystem::path& path, const FormatOptions& o
                        const VoxelLimits& limits) {
   const std::string what = path.string();
   ByteStream header(path, Packing::plain);
-  const Fields fields = read_fields(header, what);
+  bool is_ended = true;
+  const Fields fields = read_fields(header, what, is_ended);
   if (const std::string object = first_of(fields, {"objecttype"});
       !object.empty() && lower_case(object) != "image") {
     refuse(what, "holds an object of type " + object + ", not an image");
   }
   const std::string file = fields.at("elementdatafile");
-  if (file.empty() || file.find('%') != std::string::npos ||
-      lower_case(words_of(file).front()) == "list") {
+  if (names_several_files(path, file)) {
     refuse(what, "its voxels lie in several files ('" + file + "'); join them to one .mha file");
   }
-  const VoxelLayout layout = layout_of(fields, what);
+  VoxelLayout layout = layout_of(fields, what);
+  if (options.crop) layout.part = voxels_in(*options.crop, layout.dims, what);
   check_layout(layout, limits, what);
   Volume volume;
   volume.dims = layout.dims;
@@ -211,6 +213,7 @@ Volume read_meta_image(const std::filesystem::path& path, const FormatOptions& o
   const bool local = lower_case(file) == "local";
   read_data(fields, local ? path : beside(path, file),
             local ? stored_bytes(path) - header.most_left() : 0, layout, frame, limits, volume);
+  if (!is_ended) volume.warnings.push_back(unended_header_warning(what));
   return volume;
 }
 

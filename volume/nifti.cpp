@@ -70,6 +70,7 @@ void set_dims(const std::array<std::int64_t, 8>& dim, VoxelLayout& layout,
     refuse(what, "its header states " + std::to_string(dim[0]) + " dimensions; 1 to 7 make sense");
   }
   for (std::size_t axis = 1; axis <= static_cast<std::size_t>(dim[0]); ++axis) {
+    if (axis > 3 && dim[axis] == 0) continue;  // programs leave it so where there is no such axis
     if (dim[axis] < 1) {
       refuse(what, "its header states " + std::to_string(dim[axis]) + " voxels along axis " +
                        std::to_string(axis) + "; correct it");
@@ -344,7 +345,8 @@ Volume read_nifti(const std::filesystem::path& path, const FormatOptions& option
   check_is_file(header_path);
   ByteStream stream(header_path, packing_of(header_path));
   std::uint64_t read = 0;
-  const Header header = read_header(stream, read, what);
+  Header header = read_header(stream, read, what);
+  if (options.crop) header.layout.part = voxels_in(*options.crop, header.layout.dims, what);
   check_layout(header.layout, limits, what);
   Volume volume;
   volume.dims = header.layout.dims;

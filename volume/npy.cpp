@@ -64,6 +64,10 @@ std::vector<std::int64_t> shape_of(std::string_view text, const std::string& wha
   return whole_numbers_of(inner, 0, what);
 }
 
+bool is_bool(std::string_view text, const std::string& what) {
+  return value_of(text, "descr", what).substr(0, 4).ends_with("b1");
+}
+
 void set_type(std::string_view text, VoxelLayout& layout, const std::string& what) {
   const std::string_view value = value_of(text, "descr", what);
   const std::size_t end = value.find('\'', 1);
@@ -126,12 +130,14 @@ Volume read_npy(const std::filesystem::path& path, const FormatOptions& options,
   for (std::size_t axis = 0; axis < shape.size(); ++axis) {
     layout.dims[axis] = shape[shape.size() - 1 - axis];
   }
+  if (options.crop && !fortran) layout.part = voxels_in(*options.crop, layout.dims, what);
   check_layout(layout, limits, what);
   // While it is transposed the volume is there twice.
   if (fortran) check_voxel_memory(layout.dims, 2 * bytes_per_voxel(layout.type), limits, what);
   Volume volume;
   volume.dims = layout.dims;
   place(volume, {}, options.spacing, what);
+  volume.mask = is_bool(text, what);
   const std::uint64_t frame = choose_frame(layout, options.frame, what);
   read_voxels(stream, layout, frame, limits, what, volume);
   if (fortran) {

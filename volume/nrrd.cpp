@@ -30,7 +30,12 @@ std::string field_name(std::string_view text) {
   return name == "centerings" ? "centers" : name;
 }
 
-Fields read_fields(ByteStream& stream, bool& detached, const std::string& what) {
+/// Whether a value that is cut would be none, or would name a file that is not there.
+bool proves_itself(const std::string& name) {
+  return name == "datafile" || name == "encoding" || name == "endian" || name == "type";
+}
+
+Fields read_fields(ByteStream& stream, bool& detached, bool& is_ended, const std::string& what) {
   const std::string magic = read_line(stream, what);
   if (magic.size() != 8 || !magic.starts_with("NRRD000") || magic[7] < '1' || magic[7] > '5') {
     refuse(what, "is no NRRD file of version 1 to 5");
@@ -42,7 +47,7 @@ Fields read_fields(ByteStream& stream, bool& detached, const std::string& what) 
       detached = true;
       return fields;
     }
-    const std::string line = read_line(stream, what);
+    const std::string line = read_line_or_rest(stream, what, is_ended);
     if (line.empty()) break;
     if (line[0] == '#') continue;
     const std::size_t colon = line.find(':');
@@ -53,9 +58,8 @@ Fields read_fields(ByteStream& stream, bool& detached, const std::string& what) 
     const std::string name = field_name(std::string_view(line).substr(0, colon));
     const std::string value(trimmed(std::string_view(line).substr(colon + 1)));
     if (!fields.emplace(name, value).second) refuse(what, "its header states " + name + " twice");
-    const bool several = value.empty() || value.find('%') != std::string::npos ||
-                         lower_case(words_of(value).front()) == "list";
-    if (name == "datafile" && several) {
+    if (!is_ended && !proves_itself(name)) refuse(what, "ends within its header");
+    if (name == "datafile" && names_several_files(what, value)) {
       refuse(what, "its voxels lie in several files; join them with: unu save -e gzip");
     }
   }
@@ -308,10 +312,12 @@ Volume read_nrrd(const std::filesystem::path& path, const FormatOptions& options
   ByteStream header(path, Packing::plain);
   const std::uint64_t size = header.most_left();
   bool detached = false;
-  const Fields fields = read_fields(header, detached, what);
+  bool is_ended = true;
+  const Fields fields = read_fields(header, detached, is_ended, what);
   is_gzip(fields, what);
   const Axes axes = axes_of(fields, what);
-  const VoxelLayout layout = layout_of(fields, axes, what);
+  VoxelLayout layout = layout_of(fields, axes, what);
+  if (options.crop) layout.part = voxels_in(*options.crop, layout.dims, what);
   check_layout(layout, limits, what);
   Volume volume;
   volume.dims = layout.dims;
@@ -323,6 +329,7 @@ Volume read_nrrd(const std::filesystem::path& path, const FormatOptions& options
   const std::filesystem::path data = detached ? beside(path, fields.at("datafile")) : path;
   const std::uint64_t first = detached ? 0 : size - header.most_left();
   read_data(fields, data, first, layout, frame, limits, volume);
+  if (!is_ended) volume.warnings.push_back(unended_header_warning(what));
   return volume;
 }
 

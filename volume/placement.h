@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "volume/crop.h"
 #include "volume/volume.h"
 
 namespace isoloop {
@@ -20,6 +21,7 @@ struct FormatOptions {
   std::string series{};           // of a folder of DICOM slices: (part of) its identifier
   std::string array{};            // of a .vti file; empty: the active or only one
   NiftiTransform transform = NiftiTransform::automatic;
+  std::optional<CropBox> crop{};  // voxels to read, where a format can leave others out: see crop()
 };
 
 /// The map from voxel indices to the world, as a header states it.

@@ -80,11 +80,12 @@ Volume read_raw(const std::filesystem::path& path, const RawOptions& options,
                   checked_voxel_bytes(layout.dims, bytes_per_voxel(layout.type), path.string()));
   Volume volume;
   ByteStream stream(path, Packing::plain, options.skip);
-  const VoxelLayout voxels{
+  VoxelLayout voxels{
       .dims = layout.dims, .type = static_cast<StoredType>(layout.type), .endian = options.endian};
-  read_voxels(stream, voxels, 0, limits, path.string(), volume);
+  if (options.crop) voxels.part = voxels_in(*options.crop, layout.dims, path.string());
   volume.dims = layout.dims;
   volume.spacing = options.spacing;
+  read_voxels(stream, voxels, 0, limits, path.string(), volume);
   return volume;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "volume/byte_order.h"
+#include "volume/crop.h"
 #include "volume/memory_limit.h"
 #include "volume/volume.h"
 
@@ -16,8 +17,9 @@ struct RawOptions {
   std::optional<Index3> dims{};     // voxels along each axis; unset: as the file's name states
   std::optional<VoxelType> type{};  // unset: as the file's name states
   Endian endian = Endian::little;
-  std::uint64_t skip = 0;       // bytes before the first voxel
-  Vec3 spacing{1.0, 1.0, 1.0};  // length per voxel along each axis
+  std::uint64_t skip = 0;         // bytes before the first voxel
+  Vec3 spacing{1.0, 1.0, 1.0};    // length per voxel along each axis
+  std::optional<CropBox> crop{};  // voxels to read; unset: all
 };
 
 struct RawLayout {

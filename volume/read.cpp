@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/errors.h"
+#include "core/memory_budget.h"
 #include "volume/byte_stream.h"
 #include "volume/dicom.h"
 #include "volume/file_kind.h"
@@ -23,21 +24,28 @@
 namespace isoloop {
 namespace {
 
+VoxelLimits limits_of(const ReadOptions& options) {
+  return {options.max_bytes, options.max_voxels};
+}
+
 bool is_step(const std::filesystem::path& path) {
   const std::string extension = path.extension().string();
   return extension == ".step" || extension == ".stp" || extension == ".STEP" || extension == ".STP";
 }
 
 Volume read_folder(const std::filesystem::path& path, const ReadOptions& options) {
-  const VoxelLimits limits{options.max_bytes, options.max_voxels};
+  const VoxelLimits limits = limits_of(options);
   if (holds_dicom(path)) return read_dicom(path, options.format, limits);
   throw InvalidInput(path.string() +
                      ": is a folder without DICOM slices; give a file: " + supported_extensions());
 }
 
 Volume read_by_kind(const std::filesystem::path& path, const ReadOptions& options) {
-  const VoxelLimits limits{options.max_bytes, options.max_voxels};
+  const VoxelLimits limits = limits_of(options);
   if (is_mesh(path)) {
+    if (options.crop) {
+      throw InvalidArgument(path.string() + ": --crop is for volumes; a mesh is read whole");
+    }
     const Mesh mesh = read_mesh(path, options.max_bytes);
     return voxelize(mesh, options.voxel_size, limits, path.string());
   }
@@ -77,6 +85,22 @@ Volume read_by_kind(const std::filesystem::path& path, const ReadOptions& option
   throw InvalidInput(path.string() + ": unknown kind of file");
 }
 
+/// The part of a volume that was read whole.
+Volume part_of(Volume volume, const ReadOptions& options, const std::string& what) {
+  const VoxelBox box = voxels_in(*options.crop, volume.dims, what);
+  const std::uint64_t voxel_bytes = bytes_per_voxel(voxel_type(volume.values));
+  const std::uint64_t bytes = checked_voxel_bytes(volume.dims, voxel_bytes, what) +
+                              checked_voxel_bytes(box.dims, voxel_bytes, what);
+  const std::uint64_t limit = options.max_bytes == 0 ? default_voxel_limit() : options.max_bytes;
+  if (bytes > limit) {
+    throw LimitExceeded(what + ": " + dims_text(volume.dims) +
+                        " voxels and the part of them need " + bytes_text(bytes) +
+                        ", and the limit is " + bytes_text(limit) +
+                        "; raise --max-memory or take a smaller volume");
+  }
+  return crop(std::move(volume), *options.crop, what);
+}
+
 template <class T>
 void replace_nan(std::vector<T>& values, double nan_as, const std::string& what) {
   const double most = std::numeric_limits<T>::max();
@@ -103,10 +127,14 @@ void refuse_nan(const std::vector<T>& values, const Index3& dims, const std::str
 
 }  // namespace
 
-Volume read_volume(const std::filesystem::path& path, const ReadOptions& options) {
+Volume read_volume(const std::filesystem::path& path, const ReadOptions& asked) {
+  ReadOptions options = asked;
+  options.raw.crop = options.crop;
+  options.format.crop = options.crop;
   const bool folder = std::filesystem::is_directory(path);
   if (!folder) check_is_file(path);
   Volume volume = folder ? read_folder(path, options) : read_by_kind(path, options);
+  if (options.crop && !volume.part) volume = part_of(std::move(volume), options, path.string());
   std::visit(
       [&]<class T>(std::vector<T>& values) {
         if constexpr (std::is_floating_point_v<T>) {

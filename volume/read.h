@@ -27,13 +27,16 @@ struct ReadOptions {
   std::uint64_t max_bytes = 0;     // most bytes of voxels; 0: 80 % of the available memory
   std::uint64_t max_voxels = 0;    // most voxels; 0: no bound of its own
   VoxelSize voxel_size{};          // of a mesh, see voxelize
+  std::optional<CropBox> crop{};   // voxels to keep, counted as the volume is without; unset: all
 };
 
 /// Reads a .raw or .vdb file, or a mesh that it voxelises; see read_raw, read_vdb and voxelize for
 /// shape and frame. The result holds no NaN.
-/// Throws InvalidArgument (options that do not fit the file), LimitExceeded (more voxels than
-/// max_bytes allows; before they are asked for), and InvalidInput (a file that is missing, of
-/// another kind, damaged, or that holds NaN while nan_as is unset).
+/// With `crop` it is that part, see crop(): of raw, NIfTI, NRRD, MetaImage and NumPy files (in C
+/// order) no other voxels are held in memory, of other files all are.
+/// Throws InvalidArgument (options that do not fit the file, such as `crop` for a mesh),
+/// LimitExceeded (more voxels than max_bytes allows; before they are asked for), and InvalidInput
+/// (a file that is missing, of another kind, damaged, or that holds NaN while nan_as is unset).
 Volume read_volume(const std::filesystem::path& path, const ReadOptions& options = {});
 
 }  // namespace isoloop

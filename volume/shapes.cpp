@@ -229,11 +229,13 @@ const Recipe& recipe_for(std::string_view name) {
 }
 
 std::int64_t minimum_size(const Recipe& recipe, const ShapeOptions& options) {
-  if (options.holes < 0 || options.holes > 1000) {
-    throw InvalidArgument("holes must be 0 to 1000, not " + std::to_string(options.holes));
+  if (options.holes < 0 || options.holes > most_holes) {
+    throw InvalidArgument("holes must be 0 to " + std::to_string(most_holes) + ", not " +
+                          std::to_string(options.holes));
   }
-  if (options.cells < 1 || options.cells > 100) {
-    throw InvalidArgument("cells must be 1 to 100, not " + std::to_string(options.cells));
+  if (options.cells < 1 || options.cells > most_cells) {
+    throw InvalidArgument("cells must be 1 to " + std::to_string(most_cells) + ", not " +
+                          std::to_string(options.cells));
   }
   const double extent = recipe.least_extent(options);
   return std::max<std::int64_t>(16, shape_dims({extent, extent, extent})[0]);

@@ -11,10 +11,13 @@
 
 namespace isoloop {
 
+inline constexpr int most_holes = 1000;
+inline constexpr int most_cells = 100;
+
 struct ShapeOptions {
   std::int64_t size = 128;  // voxels along the longest axis, at least minimum_shape_size
-  int holes = 3;            // plate: holes through it, 0 to 1000
-  int cells = 3;            // lattice: cells along each axis, 1 to 100
+  int holes = 3;            // plate: holes through it, 0 to most_holes
+  int cells = 3;            // lattice: cells along each axis, 1 to most_cells
 };
 
 /// Betti numbers of the solid: components, independent tunnels, cavities.

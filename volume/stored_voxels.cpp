@@ -19,9 +19,57 @@ bool is_identity(const VoxelLayout& layout) {
   return layout.slope == 1.0 && layout.intercept == 0.0;
 }
 
-std::uint64_t frame_voxels(const VoxelLayout& layout) {
-  return static_cast<std::uint64_t>(layout.dims[0] * layout.dims[1] * layout.dims[2]);
+std::uint64_t voxel_count(const Index3& dims) {
+  return static_cast<std::uint64_t>(dims[0] * dims[1] * dims[2]);
 }
+
+Index3 kept_dims(const VoxelLayout& layout) {
+  return layout.part ? layout.part->dims : layout.dims;
+}
+
+/// Hands out the rows of a box of voxels from a stream that stands at the first voxel of all, and
+/// passes over what lies between them.
+class RowReader {
+ public:
+  RowReader(ByteStream& stream, const Index3& dims, const VoxelBox& box, std::uint64_t voxel_bytes,
+            std::string what)
+      : stream_(stream),
+        start_(stream.position()),
+        dims_(dims),
+        box_(box),
+        voxel_bytes_(voxel_bytes),
+        what_(std::move(what)) {}
+
+  void read(std::span<std::byte> to) {
+    while (!to.empty()) {
+      if (left_ == 0) go_to_next_row();
+      const auto now = static_cast<std::size_t>(std::min<std::uint64_t>(left_, to.size()));
+      stream_.read(to.first(now), what_);
+      left_ -= now;
+      to = to.subspan(now);
+    }
+  }
+
+ private:
+  void go_to_next_row() {
+    const std::int64_t y = box_.first[1] + row_ % box_.dims[1];
+    const std::int64_t z = box_.first[2] + row_ / box_.dims[1];
+    const std::int64_t voxel = box_.first[0] + dims_[0] * (y + dims_[1] * z);
+    const std::uint64_t at = start_ + static_cast<std::uint64_t>(voxel) * voxel_bytes_;
+    stream_.skip(at - stream_.position(), what_);
+    left_ = static_cast<std::uint64_t>(box_.dims[0]) * voxel_bytes_;
+    ++row_;
+  }
+
+  ByteStream& stream_;
+  std::uint64_t start_;
+  Index3 dims_;
+  VoxelBox box_;
+  std::uint64_t voxel_bytes_;
+  std::string what_;
+  std::int64_t row_ = 0;
+  std::uint64_t left_ = 0;  // bytes of the row
+};
 
 template <class T>
 std::vector<T> read_values(const ByteSource& next, std::uint64_t count, Endian endian) {
@@ -115,7 +163,8 @@ void check_layout(const VoxelLayout& layout, const VoxelLimits& limits, const st
   const std::uint64_t stored = wide ? 4 : bytes_per_voxel(layout.type);
   // While it is scaled, the volume is there in both types.
   const std::uint64_t scaled = stored < 4 || layout.type == StoredType::float32 ? 4 : 8;
-  check_voxel_memory(layout.dims, is_identity(layout) ? stored : stored + scaled, limits, what);
+  check_voxel_memory(kept_dims(layout), is_identity(layout) ? stored : stored + scaled, limits,
+                     what);
   const std::uint64_t bytes = checked_voxel_bytes(layout.dims, bytes_per_voxel(layout.type), what);
   if (layout.frames > std::numeric_limits<std::int64_t>::max() / bytes) {
     throw InvalidInput(what + ": its header states " + std::to_string(layout.frames) +
@@ -139,7 +188,7 @@ std::uint64_t choose_frame(const VoxelLayout& layout, const std::optional<std::i
 }
 
 VoxelArray read_stored(const ByteSource& next, const VoxelLayout& layout, const std::string& what) {
-  const std::uint64_t count = frame_voxels(layout);
+  const std::uint64_t count = voxel_count(kept_dims(layout));
   const Endian endian = layout.endian;
   switch (layout.type) {
     case StoredType::uint8:
@@ -169,20 +218,25 @@ VoxelArray read_stored(const ByteSource& next, const VoxelLayout& layout, const 
 void read_voxels(ByteStream& stream, const VoxelLayout& layout, std::uint64_t frame,
                  const VoxelLimits& limits, const std::string& what, Volume& volume) {
   check_layout(layout, limits, what);
-  const std::uint64_t bytes = frame_voxels(layout) * bytes_per_voxel(layout.type);
+  const std::uint64_t bytes = voxel_count(layout.dims) * bytes_per_voxel(layout.type);
   const std::string voxels = "its " + dims_text(layout.dims) +
                              (layout.frames > 1 ? " x " + std::to_string(layout.frames) : "") +
                              " voxels";
   stream.check_room(bytes * layout.frames, voxels);
   stream.skip(bytes * frame, voxels);
   const std::uint64_t offset = stream.position();
-  volume.values =
-      read_stored([&](std::span<std::byte> to) { stream.read(to, voxels); }, layout, what);
-  stream.skip(bytes * (layout.frames - frame - 1), voxels);
+  if (layout.part) {
+    RowReader rows(stream, layout.dims, *layout.part, bytes_per_voxel(layout.type), voxels);
+    volume.values = read_stored([&](std::span<std::byte> to) { rows.read(to); }, layout, what);
+  } else {
+    volume.values =
+        read_stored([&](std::span<std::byte> to) { stream.read(to, voxels); }, layout, what);
+  }
+  stream.skip(offset + bytes * (layout.frames - frame) - stream.position(), voxels);
   stream.expect_end(voxels);
   if (!is_identity(layout))
     volume.values = rescaled(std::move(volume.values), layout.slope, layout.intercept, what);
-  else if (bytes == frame_voxels(layout) * bytes_per_voxel(voxel_type(volume.values)) &&
+  else if (bytes == voxel_count(layout.dims) * bytes_per_voxel(voxel_type(volume.values)) &&
            stream.packing() != Packing::zlib)
     volume.stored_at = StoredAt{.file = stream.path(),
                                 .first = stream.first(),
@@ -190,6 +244,7 @@ void read_voxels(ByteStream& stream, const VoxelLayout& layout, std::uint64_t fr
                                 .offset = offset,
                                 .size = stream.position(),
                                 .swapped = layout.endian != native_endian};
+  if (layout.part) place_part(volume, *layout.part);
 }
 
 void add_scale_note(const VoxelLayout& layout, Volume& volume) {

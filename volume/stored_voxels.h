@@ -10,6 +10,7 @@
 
 #include "volume/byte_order.h"
 #include "volume/byte_stream.h"
+#include "volume/crop.h"
 #include "volume/memory_limit.h"
 #include "volume/volume.h"
 
@@ -47,10 +48,12 @@ struct VoxelLayout {
   std::uint64_t frames = 1;
   double slope = 1.0;  // value = slope * stored + intercept
   double intercept = 0.0;
+  std::optional<VoxelBox> part{};  // the voxels of a frame to keep; unset: all
 };
 
-/// Throws as checked_voxel_bytes and check_voxel_memory do, of what reading `layout` will take at
-/// its end: InvalidInput instead of InvalidArgument, since a header states the dimensions.
+/// Throws as checked_voxel_bytes and check_voxel_memory do, of what reading `layout`, or the part
+/// of it, will take at its end: InvalidInput instead of InvalidArgument, since a header states the
+/// dimensions.
 void check_layout(const VoxelLayout& layout, const VoxelLimits& limits, const std::string& what);
 
 /// The frame to read. Throws InvalidArgument if there are several and none is asked for, or if the
@@ -59,8 +62,10 @@ std::uint64_t choose_frame(const VoxelLayout& layout, const std::optional<std::i
                            const std::string& what);
 
 /// Reads all frames and keeps the values of one, and where they are; the stream must end after
-/// them. Checks check_layout() and the bytes that are there before it asks for memory. Throws
-/// InvalidInput (bytes are missing, damaged or too many, integers of 64 bits that do not fit).
+/// them. `volume` has the frame's dims and place; with layout.part it becomes that part, and no
+/// others of a plain stream's bytes need be read. Checks check_layout() and the bytes that are
+/// there before it asks for memory. Throws InvalidInput (bytes are missing, damaged or too many,
+/// integers of 64 bits that do not fit).
 void read_voxels(ByteStream& stream, const VoxelLayout& layout, std::uint64_t frame,
                  const VoxelLimits& limits, const std::string& what, Volume& volume);
 

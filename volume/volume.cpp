@@ -26,6 +26,33 @@ static_assert(std::variant_size_v<VoxelArray> == type_words.size());
 
 const TypeWords& words_of(VoxelType type) { return type_words.at(static_cast<std::size_t>(type)); }
 
+template <class T>
+bool is_nan(T value) {
+  if constexpr (std::is_floating_point_v<T>) return std::isnan(value);
+  return false;
+}
+
+template <class Iterator>
+Iterator first_number(Iterator begin, Iterator end) {
+  return std::find_if(begin, end, [](auto value) { return !is_nan(value); });
+}
+
+/// Adds the values up to `end`, each once, or until they are more than most_distinct. Returns where
+/// it stopped.
+template <class Iterator, class T>
+Iterator collect_distinct(Iterator begin, Iterator end, std::vector<T>& distinct) {
+  T last = *begin;  // neighbours are often equal
+  distinct.push_back(last);
+  for (; begin != end && distinct.size() <= most_distinct; ++begin) {
+    if (*begin == last || is_nan(*begin)) continue;
+    last = *begin;
+    if (std::find(distinct.begin(), distinct.end(), last) == distinct.end()) {
+      distinct.push_back(last);
+    }
+  }
+  return begin;
+}
+
 }  // namespace
 
 AnyGridView view(const Volume& volume) {
@@ -72,18 +99,22 @@ std::optional<VoxelType> parse_voxel_type(std::string_view name) {
 ValueRange value_range(const Volume& volume) {
   return std::visit(
       []<class T>(const std::vector<T>& values) {
-        bool found = false;
-        T low{};
-        T high{};
-        for (const T value : values) {
-          if constexpr (std::is_floating_point_v<T>) {
-            if (std::isnan(value)) continue;
-          }
-          low = found ? std::min(low, value) : value;
-          high = found ? std::max(high, value) : value;
-          found = true;
+        std::vector<T> distinct;  // in the order in which they are met
+        const auto begin = first_number(values.begin(), values.end());
+        if (begin == values.end()) return ValueRange{};
+        const auto many = collect_distinct(begin, values.end(), distinct);
+        T low = *std::min_element(distinct.begin(), distinct.end());
+        T high = *std::max_element(distinct.begin(), distinct.end());
+        for (auto value = many; value != values.end(); ++value) {
+          if (is_nan(*value)) continue;
+          low = std::min(low, *value);
+          high = std::max(high, *value);
         }
-        return ValueRange{static_cast<double>(low), static_cast<double>(high)};
+        ValueRange range{static_cast<double>(low), static_cast<double>(high), {}};
+        if (distinct.size() > most_distinct) return range;
+        std::sort(distinct.begin(), distinct.end());
+        range.distinct.assign(distinct.begin(), distinct.end());
+        return range;
       },
       volume.values);
 }

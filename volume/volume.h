@@ -35,6 +35,12 @@ struct StoredAt {
   bool swapped = false;      // in the byte order that is not this machine's
 };
 
+/// Which of the file's voxels a volume holds: those from `first` on, of `whole` along each axis.
+struct VolumePart {
+  Index3 first{};
+  Index3 whole{};
+};
+
 struct Volume {
   VoxelArray values{};
   Index3 dims{};                // voxels along each axis, each at least 1
@@ -44,9 +50,10 @@ struct Volume {
   std::array<Vec3, 3> direction{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
   Frame frame = Frame::index;
   bool level_set = false;               // a signed distance: inside is below, iso defaults to 0
-  bool mask = false;                    // of 0 and 1: iso defaults to 0.5
+  bool mask = false;                    // 0 is outside, 1 and above inside: iso defaults to 0.5
   std::string name{};                   // of the grid within the file; empty where files hold one
   std::optional<StoredAt> stored_at{};  // unset where the file holds the voxels in another way
+  std::optional<VolumePart> part{};     // unset: all voxels of the file
   std::vector<std::string> notes{};     // what was read how; a sentence each
   std::vector<std::string> warnings{};  // what a user should look at; a sentence each
 };
@@ -73,12 +80,17 @@ std::string type_name(const VoxelArray& values);
 /// Reads "uint8" or "u8", "float32" or "f32", … ; nothing if `name` is none of them.
 std::optional<VoxelType> parse_voxel_type(std::string_view name);
 
+/// Unit of the voxel values.
 struct ValueRange {
-  double min = 0.0;  // unit of the voxel values
+  double min = 0.0;
   double max = 0.0;
+  std::vector<double>
+      distinct{};  // all values, ascending; empty if they are more than most_distinct
 };
 
-/// Smallest and largest voxel value; NaN is passed over. {0, 0} if no value is left.
+inline constexpr std::size_t most_distinct = 32;
+
+/// The voxel values in one pass; NaN is passed over. {0, 0, {}} if no value is left.
 ValueRange value_range(const Volume& volume);
 
 }  // namespace isoloop

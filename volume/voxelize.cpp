@@ -147,6 +147,7 @@ Volume voxelize(const Mesh& mesh, const VoxelSize& size, const VoxelLimits& limi
   for (std::size_t a = 0; a < 3; ++a) volume.origin[a] = box.low[a] - margin * length;
   volume.frame = Frame::world;
   volume.level_set = true;
+  volume.warnings = mesh.warnings;
   if (mesh.loose_points > 0) {
     volume.warnings.push_back(what + ": " + std::to_string(mesh.loose_points) +
                               " points are in no face; the mesh is taken to be whole, but if the "

@@ -16,148 +16,13 @@
 #include "volume/header_text.h"
 #include "volume/stored_voxels.h"
 #include "volume/vti_data.h"
-#include "volume/xml_tags.h"
+#include "volume/vti_header.h"
 
 namespace isoloop {
 namespace {
 
 [[noreturn]] void refuse(const std::string& what, const std::string& complaint) {
   throw InvalidInput(what + ": " + complaint);
-}
-
-std::string attribute(const XmlTag& tag, const std::string& name, const std::string& missing) {
-  const auto found = tag.attributes.find(name);
-  return found == tag.attributes.end() ? missing : found->second;
-}
-
-/// One array of point data: what its tag says, and the text up to the closing tag.
-struct Array {
-  XmlTag tag;
-  std::string_view text;
-};
-
-struct Header {
-  XmlTag file;
-  XmlTag image;
-  std::string active;  // the name of the active scalars
-  std::vector<Array> arrays;
-  bool has_cell_data = false;
-  std::string_view appended;  // after the underscore, before the closing tag
-  bool appended_base64 = false;
-};
-
-/// Without blanks and then `ending` at the end. Throws if it does not end so.
-std::string_view without_ending(std::string_view text, std::string_view ending,
-                                const std::string& what) {
-  text = trimmed(text);
-  if (!text.ends_with(ending)) refuse(what, "is cut short: it does not end with </VTKFile>");
-  return text.substr(0, text.size() - ending.size());
-}
-
-void set_appended(const XmlTag& tag, std::string_view text, Header& header,
-                  const std::string& what) {
-  const std::string encoding = attribute(tag, "encoding", "raw");
-  if (encoding != "raw" && encoding != "base64") {
-    refuse(what, "its appended data is encoded as '" + encoding + "'");
-  }
-  header.appended_base64 = encoding == "base64";
-  // Raw bytes may look like blanks: nothing is trimmed before the underscore or within.
-  const std::size_t underscore = text.find('_', tag.end);
-  const std::string_view body = without_ending(text, "</VTKFile>", what);
-  const std::string_view data = without_ending(body, "</AppendedData>", what);
-  const auto end = static_cast<std::size_t>(data.data() + data.size() - text.data());
-  if (underscore == std::string_view::npos || underscore >= end) {
-    refuse(what, "its appended data does not begin with an underscore");
-  }
-  header.appended = text.substr(underscore + 1, end - underscore - 1);
-}
-
-/// Takes the tags one by one.
-class Parser {
- public:
-  Parser(std::string_view text, const std::string& what) : text_(text), what_(what) {}
-
-  Header parse() {
-    std::size_t at = 0;
-    bool closed = false;
-    while (!closed) {
-      const std::optional<XmlTag> tag = next_tag(text_, at, what_);
-      if (!tag) refuse(what_, "is cut short: it does not end with </VTKFile>");
-      at = take(*tag);
-      closed = tag->name == "/VTKFile" || tag->name == "AppendedData";
-    }
-    if (header_.image.name.empty()) refuse(what_, "holds no image data");
-    if (header_.appended.data() == nullptr) without_ending(text_, "</VTKFile>", what_);
-    return header_;
-  }
-
- private:
-  std::size_t take(const XmlTag& tag) {
-    if (header_.file.name.empty() && tag.name != "VTKFile") refuse(what_, "is no VTK file");
-    if (tag.name == "VTKFile") {
-      if (attribute(tag, "type", "") != "ImageData") {
-        refuse(what_, "holds " + attribute(tag, "type", "nothing known") + ", not ImageData");
-      }
-      header_.file = tag;
-    } else if (tag.name == "ImageData") {
-      header_.image = tag;
-    } else if (tag.name == "Piece") {
-      if (++pieces_ > 1) refuse(what_, "holds several pieces; save it as one");
-      if (attribute(tag, "Extent", "") != attribute(header_.image, "WholeExtent", "")) {
-        refuse(what_, "holds a piece that is not the whole");
-      }
-    } else if (tag.name == "PointData") {
-      in_point_data_ = !tag.is_empty;
-      header_.active = attribute(tag, "Scalars", "");
-    } else if (tag.name == "/PointData") {
-      in_point_data_ = false;
-    } else if (tag.name == "CellData") {
-      header_.has_cell_data = header_.has_cell_data || !tag.is_empty;
-    } else if (tag.name == "DataArray") {
-      return take_array(tag);
-    } else if (tag.name == "AppendedData") {
-      set_appended(tag, text_, header_, what_);
-    }
-    return tag.end;
-  }
-
-  std::size_t take_array(const XmlTag& tag) {
-    Array array{.tag = tag, .text = {}};
-    std::size_t end = tag.end;
-    if (!tag.is_empty) {
-      const std::size_t close = text_.find("</DataArray>", tag.end);
-      if (close == std::string_view::npos) refuse(what_, "is cut short within an array");
-      array.text = text_.substr(tag.end, close - tag.end);
-      // Statistics may stand within, as elements of their own.
-      array.text = array.text.substr(0, array.text.find('<'));
-      end = close;
-    }
-    if (in_point_data_) header_.arrays.push_back(array);
-    return end;
-  }
-
-  std::string_view text_;
-  const std::string& what_;
-  Header header_;
-  int pieces_ = 0;
-  bool in_point_data_ = false;
-};
-
-const Array& choose_array(const Header& header, const std::string& wanted,
-                          const std::string& what) {
-  if (header.arrays.empty()) {
-    refuse(what, header.has_cell_data ? "holds data of cells alone; turn it into point data"
-                                      : "holds no point data");
-  }
-  const std::string& name = wanted.empty() ? header.active : wanted;
-  std::string names;
-  for (const Array& array : header.arrays) {
-    const std::string own = attribute(array.tag, "Name", "");
-    if (!name.empty() && own == name) return array;
-    names += (names.empty() ? "'" : ", '") + own + "'";
-  }
-  if (wanted.empty() && header.arrays.size() == 1) return header.arrays.front();
-  throw InvalidArgument(what + ": choose one of its arrays with --grid: " + names);
 }
 
 StoredType type_of(const std::string& name, const std::string& what) {
@@ -181,7 +46,7 @@ StoredType type_of(const std::string& name, const std::string& what) {
   refuse(what, "holds values of type '" + name + "', which isoloop does not read");
 }
 
-VtiEncoding encoding_of(const Header& header, const std::string& what) {
+VtiEncoding encoding_of(const VtiHeader& header, const std::string& what) {
   VtiEncoding encoding;
   const std::string order = attribute(header.file, "byte_order", "LittleEndian");
   const std::string sizes = attribute(header.file, "header_type", "UInt32");
@@ -197,22 +62,25 @@ VtiEncoding encoding_of(const Header& header, const std::string& what) {
   return encoding;
 }
 
-/// First and last voxel along each axis, as the whole extent states them.
-std::array<std::array<std::int64_t, 2>, 3> extent_of(const Header& header, VoxelLayout& layout,
-                                                     const std::string& what) {
+/// Sets the dims and returns the index of the first voxel's centre in the file's own numbering of
+/// points. A cell lies between two of them, but along an axis that has one it lies in it.
+Vec3 read_extent(const VtiHeader& header, VtiSite site, VoxelLayout& layout,
+                 const std::string& what) {
   const auto numbers = whole_numbers_of(attribute(header.image, "WholeExtent", ""), 6, what);
-  std::array<std::array<std::int64_t, 2>, 3> extent{};
+  Vec3 first{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    extent[axis] = {numbers[2 * axis], numbers[2 * axis + 1]};
+    const std::int64_t low = numbers[2 * axis];
+    const std::int64_t high = numbers[2 * axis + 1];
     constexpr std::int64_t most = std::int64_t{1} << 40;
-    const auto& [low, high] = extent[axis];
     if (low > high || low < -most || high > most) refuse(what, "its extent makes no volume");
-    layout.dims[axis] = high - low + 1;
+    const bool between_points = site == VtiSite::cells && high > low;
+    layout.dims[axis] = high - low + (between_points ? 0 : 1);
+    first[axis] = static_cast<double>(low) + (between_points ? 0.5 : 0.0);
   }
-  return extent;
+  return first;
 }
 
-Placement placement_of(const Header& header, const Vec3& lowest, const std::string& what) {
+Placement placement_of(const VtiHeader& header, const Vec3& first, const std::string& what) {
   const auto origin = numbers_of(attribute(header.image, "Origin", "0 0 0"), 3, what);
   const auto spacing = numbers_of(attribute(header.image, "Spacing", "1 1 1"), 3, what);
   const auto rows = numbers_of(attribute(header.image, "Direction", "1 0 0 0 1 0 0 0 1"), 9, what);
@@ -223,7 +91,7 @@ Placement placement_of(const Header& header, const Vec3& lowest, const std::stri
       placement.columns[axis][c] = rows[3 * c + axis] * spacing[axis];
     }
   }
-  placement.origin = to_world(placement, lowest);
+  placement.origin = to_world(placement, first);
   return placement;
 }
 
@@ -288,7 +156,7 @@ VoxelArray values_of_bytes(const std::string& bytes, const VoxelLayout& layout,
   return read_stored(next, layout, what);
 }
 
-VoxelArray values_of(const Array& array, const Header& header, const VoxelLayout& layout,
+VoxelArray values_of(const VtiArray& array, const VtiHeader& header, const VoxelLayout& layout,
                      const std::string& what) {
   const std::string format = attribute(array.tag, "format", "ascii");
   const auto count = static_cast<std::uint64_t>(layout.dims[0] * layout.dims[1] * layout.dims[2]);
@@ -331,8 +199,8 @@ Volume read_vti(const std::filesystem::path& path, const FormatOptions& options,
                 const VoxelLimits& limits) {
   const std::string what = path.string();
   const std::string text = whole_file(path, limits);
-  const Header header = Parser(text, what).parse();
-  const Array& array = choose_array(header, options.array, what);
+  const VtiHeader header = parse_vti_header(text, what);
+  const VtiArray& array = choose_array(header, options.array, what);
   const std::string components = attribute(array.tag, "NumberOfComponents", "1");
   if (components != "1") {
     refuse(what, "holds " + components +
@@ -341,20 +209,18 @@ Volume read_vti(const std::filesystem::path& path, const FormatOptions& options,
   }
   VoxelLayout layout;
   layout.type = type_of(attribute(array.tag, "type", ""), what);
-  const auto extent = extent_of(header, layout, what);
+  const Vec3 first = read_extent(header, array.site, layout, what);
   layout.endian = encoding_of(header, what).endian;
   check_layout(layout, limits, what);
   choose_frame(layout, options.frame, what);
   Volume volume;
   volume.dims = layout.dims;
-  volume.name = attribute(array.tag, "Name", "");
-  Placement placement;
-  if (!options.spacing) {
-    Vec3 lowest{};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      lowest[axis] = static_cast<double>(extent[axis][0]);
-    placement = placement_of(header, lowest, what);
+  volume.name = array.name();
+  if (array.site == VtiSite::cells) {
+    volume.notes.emplace_back("cells are read as voxels, whose centres lie between the points");
   }
+  Placement placement;
+  if (!options.spacing) placement = placement_of(header, first, what);
   place(volume, placement, options.spacing, what);
   volume.values = values_of(array, header, layout, what);
   return volume;

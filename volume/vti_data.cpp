@@ -101,10 +101,10 @@ std::string unpacked_bytes(Stored stored, const VtiEncoding& encoding, std::uint
   const std::uint64_t block_bytes = size_at(start, 1, encoding);
   const std::uint64_t last = size_at(start, 2, encoding);
   const bool sensible = blocks > 0 && block_bytes > 0 && blocks <= stored.rest().size() &&
-                        block_bytes <= wanted + last && last < block_bytes + (blocks == 1 ? 1 : 0);
+                        last <= block_bytes && last <= wanted;
   // Counted so that nothing overflows: the blocks but the last are whole.
   const std::uint64_t whole = sensible && last > 0 ? blocks - 1 : blocks;
-  if (!sensible || whole > wanted / block_bytes || whole * block_bytes + last != wanted) {
+  if (!sensible || whole > wanted / block_bytes || whole * block_bytes != wanted - last) {
     refuse(what, "its compressed blocks do not make the " + std::to_string(wanted) +
                      " bytes that its voxels take");
   }

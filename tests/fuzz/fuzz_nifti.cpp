@@ -11,6 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     read_nifti(fuzz::file_of(bytes, "a.nii"), {.frame = 0}, limits);
     read_nifti(fuzz::file_of(bytes, "a.nii"), {.frame = 0, .transform = NiftiTransform::qform},
                limits);
+    read_nifti(fuzz::file_of(bytes, "a.nii"), {.frame = 0, .crop = fuzz::part}, limits);
   });
   return fuzz::expect_answer_or_error(data, size, [&](std::string_view bytes) {
     const std::size_t header = std::min<std::size_t>(348, bytes.size());

@@ -3,7 +3,10 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace isoloop;
-  return fuzz::expect_answer_or_error(data, size, [](std::string_view bytes) {
+  fuzz::expect_answer_or_error(data, size, [](std::string_view bytes) {
     read_vti(fuzz::file_of(bytes, "a.vti"), {}, {.max_bytes = fuzz::most_bytes});
+  });
+  return fuzz::expect_answer_or_error(data, size, [](std::string_view bytes) {
+    read_vti(fuzz::file_of(bytes, "a.vti"), {.array = "cells:v"}, {.max_bytes = fuzz::most_bytes});
   });
 }

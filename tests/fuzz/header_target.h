@@ -19,12 +19,16 @@ struct HeaderFormat {
   Volume (*read)(const std::filesystem::path&, const FormatOptions&, const VoxelLimits&);
 };
 
-/// The bytes as one file; and as two, parted after the first `end`, or all header without it.
+/// The bytes as one file, whole and a part of it; and as two, parted after the first `end`, or all
+/// header without it.
 inline int read_with_header(const std::uint8_t* data, std::size_t size,
                             const HeaderFormat& format) {
   constexpr VoxelLimits limits{.max_bytes = most_bytes};
   expect_answer_or_error(data, size, [&](std::string_view bytes) {
     format.read(file_of(bytes, format.whole), {.frame = 0}, limits);
+  });
+  expect_answer_or_error(data, size, [&](std::string_view bytes) {
+    format.read(file_of(bytes, format.whole), {.frame = 0, .crop = part}, limits);
   });
   return expect_answer_or_error(data, size, [&](std::string_view bytes) {
     const std::size_t found = bytes.find(format.end);

@@ -109,6 +109,8 @@ void write_meta_image_seeds() {
   write("detached", meta_image_header("", "a.raw") + voxels);
   write("skips", meta_image_header("HeaderSize = 3\n", "a.raw") + "xyz" + voxels);
   write("last", meta_image_header("HeaderSize = -1\n", "a.raw") + "xyz" + voxels);
+  write("wrong_size", meta_image_header("CompressedData = True\nCompressedDataSize = 5\n") +
+                          test::zlib_bytes(voxels));
   write("frames",
         "NDims = 4\nBinaryData = True\nDimSize = 2 2 1 3\nElementType = MET_UCHAR\n"
         "ElementDataFile = LOCAL\nabcdefghijkl");
@@ -140,6 +142,10 @@ void write_vti_seeds() {
                              .more = "<DataArray type=\"UInt8\" Name=\"other\" format=\"ascii\">"
                                      "1 1 1 1 1 1 1 1 1 1 1 9</DataArray>\n"}
                  .file());
+  const std::string cells =
+      "<CellData Scalars=\"v\"><DataArray type=\"UInt8\" Name=\"v\" format=\"ascii\">1 2"
+      "</DataArray></CellData>";
+  write_seed("vti", "cells", test::VtiSample{.cells = cells}.file());
 }
 
 void write_dicom_seeds() {
@@ -204,6 +210,21 @@ void write_mesh_seeds() {
   write("ply", "big_", MeshFormat::ply_big);
   write("obj", "", MeshFormat::obj);
   write("off", "", MeshFormat::off);
+  write_seed("stl", "count_0",
+             test::mesh_bytes(box, MeshFormat::stl_binary).replace(80, 1, 1, '\0'));
+  write_seed("stl", "capitals",
+             "  SOLID a\r\n FACET NORMAL 0 0 1\r OUTER LOOP\n VERTEX 0 0 1e+0\n"
+             "VERTEX 1 0 0\nVERTEX 0 1 0\nENDLOOP\nENDFACET\nENDSOLID");
+  write_seed("obj", "strangers",
+             "sm 1\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 \\\n3\nc 4\n# en");
+  write_seed("off", "more",
+             "STCNOFF 3 2 0 # c\r0 0 0 0 0 1 1\r1 0 0 0 0 1 1\r0 1 0 0 0 1 1\r"
+             "2 0 1\r3 0 1 2");
+  write_seed("ply", "more",
+             "ply\rformat ascii 1.0\robj_info i\relement vertex 3\rproperty double x\r"
+             "property double y\rproperty double z\rproperty float q\relement face 2\r"
+             "property list int float vertex_index\rend_header\r0 0 0 nan\r1 0 0 1\r0 1 0 1\r"
+             "2 0 1\r3 0 1 2");
 }
 
 }  // namespace

@@ -13,10 +13,14 @@
 #include <unistd.h>
 
 #include "core/errors.h"
+#include "volume/crop.h"
 
 namespace isoloop::fuzz {
 
 constexpr std::uint64_t most_bytes = std::uint64_t{8} << 20;  // of voxels: more cost time alone
+
+/// A part of any volume of two voxels or more along x and y.
+constexpr CropBox part{CropRange{1, {}}, CropRange{0, 2}, CropRange{}};
 
 /// A folder of this process's own, in memory where there is such a place.
 class Folder {
