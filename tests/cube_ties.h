@@ -66,10 +66,11 @@ inline void check_cube(const CornerLevels& levels, TiedCubes& found) {
 /// All cubes of that many levels, an odd number: whole numbers about 0.
 inline TiedCubes check_all_cubes(int level_count) {
   TiedCubes found;
+  const int highest = level_count / 2;
   std::array<int, 8> digits{};
   while (true) {
     CornerLevels levels{};
-    for (std::size_t c = 0; c < 8; ++c) levels[c] = digits[c] - level_count / 2;
+    for (std::size_t c = 0; c < 8; ++c) levels[c] = digits[c] - highest;
     check_cube(levels, found);
     std::size_t c = 0;
     while (c < 8 && ++digits[c] == level_count) digits[c++] = 0;
