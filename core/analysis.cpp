@@ -19,13 +19,14 @@
 #include "core/shortest_basis.h"
 #include "core/sides.h"
 #include "core/spanning_forest.h"
+#include "core/stage.h"
 #include "core/straighten.h"
 #include "core/threads.h"
 
 namespace isoloop {
 namespace {
 
-/// Times the stages and tells of each as it starts.
+/// Times the stages, tells of each as it starts, and names it where it finds no memory.
 class StageClock {
  public:
   explicit StageClock(const Progress& progress) : progress_(progress) {}
@@ -34,7 +35,7 @@ class StageClock {
   auto run(const char* stage, double share_done, double& seconds, const Work& work) {
     if (progress_) progress_(stage, share_done);
     const auto start = std::chrono::steady_clock::now();
-    auto result = work();
+    auto result = in_stage(stage, work);
     seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
   }
@@ -55,7 +56,10 @@ Cut cut_volume(const AnyGridView& grid, const IsoLevel& level, const AnalysisOpt
   Cut cut;
   cut.sides = std::make_unique<Sides>(classify(grid, level, options.boundary, options.max_bytes));
   cut.edges = std::make_unique<EdgeIndex>(*cut.sides);
-  check_memory("surface", surface_bytes(cut.sides->lattice.vertex_count(), cut.edges->count()),
+  const std::uint64_t lattice = cut.sides->lattice.vertex_count();
+  check_memory("surface",
+               with_graph ? surface_bytes(lattice, cut.edges->count())
+                          : bare_surface_bytes(lattice, cut.edges->count()),
                options.max_bytes);
   cut.surface = extract_surface(grid, level, *cut.sides, *cut.edges, with_graph);
   return cut;

@@ -40,6 +40,10 @@ std::uint64_t surface_bytes(std::uint64_t lattice, std::uint64_t surface) {
   return 5 * lattice / 2 + 170 * surface;
 }
 
+std::uint64_t bare_surface_bytes(std::uint64_t lattice, std::uint64_t surface) {
+  return 5 * lattice / 2 + 75 * surface;
+}
+
 std::uint64_t closest_bytes(std::uint64_t lattice, std::uint64_t surface) {
   return 37 * lattice / 2 + 110 * surface;  // two fields of 8
 }

@@ -25,6 +25,7 @@ int threads_within(const char* stage, std::uint64_t shared, std::uint64_t each, 
 /// `lattice` vertices of the box round the solid, `surface` vertices of M and `sizes` bytes of
 /// sizes: fitted to peaks that were measured on thick parts, thin vessels and lattices of tubes.
 std::uint64_t surface_bytes(std::uint64_t lattice, std::uint64_t surface);
+std::uint64_t bare_surface_bytes(std::uint64_t lattice, std::uint64_t surface);  // no edge graph
 std::uint64_t closest_bytes(std::uint64_t lattice, std::uint64_t surface);
 std::uint64_t sizes_bytes(std::uint64_t lattice, std::uint64_t surface);  // but for searches
 std::uint64_t pass_bytes(std::uint64_t lattice, std::uint64_t surface, std::uint64_t sizes,

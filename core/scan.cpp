@@ -109,6 +109,8 @@ class Scanner {
     if (count <= 0 || static_cast<std::int64_t>(grid.values.size()) != count)
       throw InvalidArgument("the grid's dimensions do not fit its number of voxels");
     ranked_.lattice = padded_lattice(grid.dims);
+    constexpr std::uint64_t bytes_per_voxel = 16;
+    check_memory("scan", bytes_per_voxel * ranked_.lattice.vertex_count(), options.max_bytes);
     ranked_.isos.assign(iso_values.begin(), iso_values.end());
     if (options.inside == InsideRule::below) std::reverse(ranked_.isos.begin(), ranked_.isos.end());
     rank_vertices();

@@ -13,6 +13,7 @@
 
 #include "core/betti.h"
 #include "core/grid.h"
+#include "core/memory_budget.h"
 #include "core/progress.h"
 
 namespace isoloop {
@@ -20,7 +21,8 @@ namespace isoloop {
 struct ScanOptions {
   InsideRule inside = InsideRule::above;
   Topology topology = Topology::trilinear;
-  Progress progress{};  // may be empty
+  Progress progress{};                        // may be empty
+  std::uint64_t max_bytes = unlimited_bytes;  // to hold beside the grid's voxels
 };
 
 /// What count_topology() finds at one iso value, M closed.
@@ -37,8 +39,9 @@ inline constexpr std::size_t max_scan_values = 65'000;
 
 /// One row for each iso value, in their order: strictly ascending, finite. Takes about 16 bytes a
 /// voxel, and 4 for each face whose corners' values can alternate. Throws InvalidArgument (iso
-/// values, dimensions), InvalidInput (NaN in the grid), LimitExceeded over max_lattice_vertices,
-/// SelfCheckFailed where the counts contradict each other.
+/// values, dimensions), InvalidInput (NaN in the grid), LimitExceeded over max_lattice_vertices or
+/// where it takes more than options.max_bytes, SelfCheckFailed where the counts contradict each
+/// other.
 std::vector<ScanRow> scan_topology(const AnyGridView& grid, std::span<const double> iso_values,
                                    const ScanOptions& options = {});
 

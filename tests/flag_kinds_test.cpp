@@ -86,9 +86,9 @@ TEST(FlagKinds, WithoutFlagsAndOfUnknownKindsNothingIsRefused) {
 TEST(FlagsAgree, LabelsHaveNoIsoValue) {
   VolumeFlags labels;
   labels.label = "3";
-  EXPECT_THROW(check_flags_agree(labels, {.iso = 1.0, .inside = ""}), InvalidArgument);
+  EXPECT_THROW(check_flags_agree(labels, {.iso = "1", .inside = ""}), InvalidArgument);
   EXPECT_NO_THROW(check_flags_agree(labels, {}));
-  EXPECT_NO_THROW(check_flags_agree({}, {.iso = 1.0, .inside = ""}));
+  EXPECT_NO_THROW(check_flags_agree({}, {.iso = "1", .inside = ""}));
 }
 
 }  // namespace

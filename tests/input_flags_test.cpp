@@ -152,9 +152,22 @@ TEST(IsoLevelOfFlags, IsZeroAndBelowForALevelSet) {
 }
 
 TEST(IsoLevelOfFlags, FlagsWinOverTheLevelSet) {
-  const IsoLevel level = level_for({.iso = 1.0, .inside = "above"}, two_voxels(true));
+  const IsoLevel level = level_for({.iso = "1", .inside = "above"}, two_voxels(true));
   EXPECT_EQ(level.iso, 1.0);
   EXPECT_EQ(level.inside, InsideRule::above);
+}
+
+TEST(IsoLevelOfFlags, TwoValuesHaveTheInsideBetweenThem) {
+  for (const bool level_set : {false, true}) {
+    const IsoLevel level = level_for({.iso = "-1 2.5", .inside = ""}, two_voxels(level_set));
+    EXPECT_EQ(level.iso, -1.0);
+    EXPECT_EQ(level.upper, 2.5);
+    EXPECT_EQ(level.inside, InsideRule::above);
+  }
+  EXPECT_EQ(level_for({.iso = "3,3", .inside = ""}, two_voxels(false)).upper, 3.0);
+  for (const char* const iso : {"2 1", "1 2 3", "1 inf", "1,,2", "nan", "x"})
+    EXPECT_THROW(level_for({.iso = iso, .inside = ""}, two_voxels(false)), InvalidArgument) << iso;
+  EXPECT_THROW(level_for({.iso = "1 2", .inside = "above"}, two_voxels(false)), InvalidArgument);
 }
 
 TEST(IsoLevelOfFlags, TopologyIsTrilinearUnlessSimpleIsAskedFor) {
@@ -192,9 +205,7 @@ TEST(IsoLevelOfFlags, IsRequiredOtherwiseAndTheMessageStatesTheRange) {
 }
 
 TEST(IsoLevelOfFlags, RefusesAnIsoThatIsNotFinite) {
-  EXPECT_THROW(
-      level_for({.iso = std::numeric_limits<double>::infinity(), .inside = ""}, two_voxels(false)),
-      InvalidArgument);
+  EXPECT_THROW(level_for({.iso = "inf", .inside = ""}, two_voxels(false)), InvalidArgument);
 }
 
 }  // namespace

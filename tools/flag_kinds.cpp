@@ -80,7 +80,7 @@ void check_flags_fit_file(const VolumeFlags& flags) {
 }
 
 void check_flags_agree(const VolumeFlags& volume, const LevelFlags& level) {
-  if (volume.label.empty() || !level.iso) return;
+  if (volume.label.empty() || level.iso.empty()) return;
   throw InvalidArgument("--iso does not go with --label, which says by itself what is inside");
 }
 

@@ -22,7 +22,7 @@ std::size_t numbers_after(std::string_view flag) {
                                                                              {"--frame", 1},
                                                                              {"--label", 1},
                                                                              {"--spacing", 3},
-                                                                             {"--iso", 1},
+                                                                             {"--iso", 2},
                                                                              {"--nan-as", 1},
                                                                              {"--min-size", 1},
                                                                              {"--max-size", 1},
@@ -148,8 +148,9 @@ void add_convention_flags(CLI::App& command, LevelFlags& flags) {
 void add_level_flags(CLI::App& command, LevelFlags& flags) {
   command
       .add_option("--iso", flags.iso,
-                  "value of the iso-surface; a level set in a .vdb file has 0 by default")
-      ->type_name("VALUE");
+                  "value of the iso-surface, or two: inside is between them; a level set in a .vdb "
+                  "file has 0 by default")
+      ->type_name("VALUE [UPPER]");
   want_text(command.get_option("--iso"));
   add_convention_flags(command, flags);
   command
@@ -202,15 +203,20 @@ ReadOptions read_options(const VolumeFlags& flags) {
 
 IsoLevel iso_level(const LevelFlags& flags, const Volume& volume, const ValueRange& range) {
   IsoLevel level;
-  if (flags.iso) {
-    level.iso = *flags.iso;
+  if (!flags.iso.empty()) {
+    const std::vector<double> values = parse_iso(flags.iso);
+    level.iso = values[0];
+    if (values.size() == 2) level.upper = values[1];
   } else if (volume.mask) {
     level.iso = 0.5;
   } else if (!volume.level_set) {
     throw InvalidArgument("--iso is required: the file is no level set; " + values_text(range));
   }
-  if (!std::isfinite(level.iso)) throw InvalidArgument("--iso must be a finite number");
-  const bool below = flags.inside.empty() ? volume.level_set : flags.inside == "below";
+  if (level.upper && !flags.inside.empty()) {
+    throw InvalidArgument("--inside does not go with two iso values, between which the inside is");
+  }
+  const bool below =
+      flags.inside.empty() ? volume.level_set && !level.upper : flags.inside == "below";
   level.inside = below ? InsideRule::below : InsideRule::above;
   level.topology = flags.topology == "simple" ? Topology::simple : Topology::trilinear;
   if (flags.connectivity == "6") level.topology = Topology::connected_6;
@@ -244,6 +250,19 @@ std::string ambiguous_faces_text(Topology topology) {
 
 Boundary boundary_of(const LevelFlags& flags) {
   return flags.open_boundary ? Boundary::open : Boundary::closed;
+}
+
+std::vector<double> parse_iso(std::string_view text) {
+  const std::string complaint =
+      "--iso " + std::string(text) +
+      " does not state a finite number, or two of which the second is the larger";
+  const std::vector<double> values = parse_list<double>(text, ",", complaint);
+  const auto is_finite = [](double value) { return std::isfinite(value); };
+  if (values.empty() || values.size() > 2 || values.front() > values.back() ||
+      !std::all_of(values.begin(), values.end(), is_finite)) {
+    throw InvalidArgument(complaint);
+  }
+  return values;
 }
 
 Index3 parse_dims(std::string_view text) {

@@ -37,8 +37,8 @@ struct VolumeFlags {
 
 /// Where the solid's border runs, as typed.
 struct LevelFlags {
-  std::optional<double> iso;  // unit of the voxel values
-  std::string inside;         // "above", "below" or empty: as the file suggests
+  std::string iso;     // "70", or "70 90": between; unit of the voxel values; empty: not given
+  std::string inside;  // "above", "below" or empty: as the file suggests
   std::string topology = "trilinear";
   std::string connectivity{};  // of a mask's inside: "6", "18", "26", or empty: as `topology` says
   bool open_boundary = false;
@@ -69,6 +69,10 @@ std::string topology_text(Topology topology);
 std::string ambiguous_faces_text(Topology topology);
 
 Boundary boundary_of(const LevelFlags& flags);
+
+/// One iso value, or two in ascending order, from "70", "70 90" or "70,90"; finite. Throws
+/// InvalidArgument.
+std::vector<double> parse_iso(std::string_view text);
 
 /// Three voxel counts from "64 64 32", "64x64x32" or "64,64,32". Throws InvalidArgument.
 Index3 parse_dims(std::string_view text);

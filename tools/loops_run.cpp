@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "core/errors.h"
+#include "core/stage.h"
 #include "tools/read_run.h"
 #include "tools/scan_run.h"
 #include "tools/thread_flag.h"
@@ -39,15 +40,17 @@ RunResult found_run(const LoopsInput& input, const Progress& progress) {
     FeatureOptions options = *input.features;
     options.max_bytes = run.cost.max_bytes;
     try {
-      run.features = features_of(run.analysis.surface, run.analysis.loops, options);
+      run.features = in_stage("features", [&] {
+        return features_of(run.analysis.surface, run.analysis.loops, options);
+      });
     } catch (const LimitExceeded& error) {
       if (!input.features_may_lack) throw;
       std::cerr << "isoloop: warning: features are left out: " << error.what() << '\n';
     }
   }
-  if (input.with_scan && boundary == Boundary::closed) {
+  if (input.with_scan && boundary == Boundary::closed && !run.level.upper) {
     if (progress) progress("scan", 0.95);
-    scan_run(run, scan_values({}, run.volume, run.range), {});
+    in_stage("scan", [&] { scan_run(run, scan_values({}, run.volume, run.range), {}); });
   }
   run.cost.total_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "core/errors.h"
+#include "core/stage.h"
 #include "volume/atomic_file.h"
 
 namespace isoloop {
@@ -62,6 +63,10 @@ bool OutputFiles::uses_stdout() const {
 }
 
 void OutputFiles::write(const RunResult& run) const {
+  in_stage("report", [&] { write_all(run); });
+}
+
+void OutputFiles::write_all(const RunResult& run) const {
   std::vector<std::unique_ptr<AtomicFile>> files;
   for (const Output& output : outputs_) {
     if (is_stdout(output.name) || !output.report) continue;

@@ -37,6 +37,8 @@ class OutputFiles {
   void write(const RunResult& run) const;
 
  private:
+  void write_all(const RunResult& run) const;
+
   struct Output {
     std::string name;
     Report report;

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <iostream>
 
+#include "core/stage.h"
 #include "tools/flag_kinds.h"
 #include "tools/memory_cap.h"
 #include "tools/value_hints.h"
@@ -29,7 +30,7 @@ RunResult read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flag
   if (level_flags.open_boundary) options.margin = VdbMargin::none;
   const std::uint64_t available = default_voxel_limit();
   if (options.max_bytes > 0) cap_memory(options.max_bytes);
-  run.volume = read_volume(volume_flags.file, options);
+  run.volume = in_stage("read", [&] { return read_volume(volume_flags.file, options); });
   const std::uint64_t limit = options.max_bytes > 0 ? options.max_bytes : available;
   run.cost.max_bytes = limit - std::min(limit, peak_resident_bytes());
   print_warnings(std::cerr, run.volume);

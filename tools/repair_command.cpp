@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include "core/errors.h"
+#include "core/stage.h"
 #include "tools/flag_checks.h"
 #include "tools/output_files.h"
 #include "tools/progress.h"
@@ -129,10 +130,12 @@ void repair(const CommandFlags& flags) {
   RunResult& run = result.run;
   run = read_run(flags.volume, flags.level);
   if (!flags.dry_run) check_format(flags, run.volume);
-  result.repair = repair_loops(view(run.volume), run.level, request,
-                               {.boundary = boundary_of(flags.level),
-                                .progress = progress.callback(),
-                                .max_bytes = run.cost.max_bytes});
+  result.repair = in_stage("repair", [&] {
+    return repair_loops(view(run.volume), run.level, request,
+                        {.boundary = boundary_of(flags.level),
+                         .progress = progress.callback(),
+                         .max_bytes = run.cost.max_bytes});
+  });
   check_counts(result.repair.after);
   check_loops(result.repair.after);
   run.cost.peak_bytes = peak_resident_bytes();

@@ -58,10 +58,15 @@ Json input_of(const RunResult& run) {
           {"warnings", volume.warnings}};
 }
 
+const char* inside_rule_text(const IsoLevel& level) {
+  if (level.upper) return "between";
+  return level.inside == InsideRule::above ? "above" : "below";
+}
+
 Json conventions_of(const RunResult& run) {
   const bool open = run.analysis.surface.boundary == Boundary::open;
   Json conventions = {{"inside", inside_text(run.level)},
-                      {"inside_rule", run.level.inside == InsideRule::above ? "above" : "below"},
+                      {"inside_rule", inside_rule_text(run.level)},
                       {"equal_to_iso", "inside"},
                       {"topology", topology_text(run.level.topology)},
                       {"ambiguous_faces", ambiguous_faces_text(run.level.topology)},
@@ -178,6 +183,7 @@ void write_json(std::ostream& out, const RunResult& run) {
   out << "{\n  \"schema\": \"isoloop/1\"";
   write_member(out, "input", input_of(run));
   write_member(out, "iso", run.level.iso);
+  if (run.level.upper) write_member(out, "iso_upper", *run.level.upper);
   write_member(out, "conventions", conventions_of(run));
   write_member(out, "surface",
                {{"vertices", surface.points.size()},

@@ -43,23 +43,25 @@ Row<10> row_of(const Loop& loop, const Volume& volume) {
           certificate_text(loop)};
 }
 
+std::string iso_text(const IsoLevel& level) {
+  return shortest_text(level.iso) + (level.upper ? " to " + shortest_text(*level.upper) : "");
+}
+
 // Why the surface is missing, or is no more than the border of the volume.
 void write_level_note(std::ostream& out, const RunResult& run) {
-  const double iso = run.level.iso;
+  const std::string iso = iso_text(run.level);
   std::string range = "[";
   range += shortest_text(run.range.min) + ", " + shortest_text(run.range.max) + "]";
-  const bool below = iso < run.range.min;
-  const bool above = iso > run.range.max;
+  const bool below = run.level.upper.value_or(run.level.iso) < run.range.min;
+  const bool above = run.level.iso > run.range.max;
   if (run.analysis.surface.triangles.empty()) {
     if (below || above) {
-      out << "no surface: iso " << shortest_text(iso) << " is outside the value range " << range
-          << "; 0 loops\n";
+      out << "no surface: iso " << iso << " is outside the value range " << range << "; 0 loops\n";
     } else {
-      out << "no surface exists at iso " << shortest_text(iso) << ", value range " << range
-          << "; 0 loops\n";
+      out << "no surface exists at iso " << iso << ", value range " << range << "; 0 loops\n";
     }
   } else if (below || above) {
-    out << "note: iso " << shortest_text(iso) << " is outside the value range " << range
+    out << "note: iso " << iso << " is outside the value range " << range
         << ", so every voxel is inside and the surface is the border of the volume\n";
   }
 }
@@ -185,6 +187,7 @@ void write_hint(std::ostream& out, const RunResult& run) {
 }
 
 std::string inside_text(const IsoLevel& level) {
+  if (level.upper) return shortest_text(level.iso) + " <= f <= " + shortest_text(*level.upper);
   return (level.inside == InsideRule::above ? "f >= " : "f <= ") + shortest_text(level.iso);
 }
 

@@ -10,6 +10,7 @@
 
 #include "core/errors.h"
 #include "core/scan.h"
+#include "core/stage.h"
 #include "tools/flag_checks.h"
 #include "tools/output_files.h"
 #include "tools/progress.h"
@@ -42,11 +43,11 @@ void scan(const ScanFlags& flags) {
   }
   ProgressLine progress(std::cerr, progress_options(flags.progress));
   LevelFlags level = flags.level;
-  level.iso = 0.0;  // stands in until an iso value is proposed
+  level.iso = "0";  // stands in until an iso value is proposed
   RunResult run = read_run(flags.volume, level);
   run.with_loops = false;
   const std::vector<double> isos = scan_values(flags.range, run.volume, run.range);
-  scan_run(run, isos, progress.callback());
+  in_stage("scan", [&] { scan_run(run, isos, progress.callback()); });
   run.cost.total_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   run.cost.peak_bytes = peak_resident_bytes();

@@ -57,8 +57,11 @@ std::vector<double> scan_values(const ScanRange& range, const Volume& volume,
 
 void scan_run(RunResult& run, const std::vector<double>& isos, const Progress& progress) {
   const Index3& dims = run.volume.dims;
-  run.scan =
-      scan_topology(view(run.volume), isos, {run.level.inside, run.level.topology, progress});
+  run.scan = scan_topology(view(run.volume), isos,
+                           {.inside = run.level.inside,
+                            .topology = run.level.topology,
+                            .progress = progress,
+                            .max_bytes = run.cost.max_bytes});
   run.plateaus = find_plateaus(run.scan, dims[0] * dims[1] * dims[2]);
   run.proposed = proposed_row(run.scan, run.plateaus);
 }
