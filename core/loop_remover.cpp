@@ -63,10 +63,12 @@ bool cross_oddly(const LoopSite& a, const LoopSite& b) {
   return both.size() % 2 == 1;
 }
 
-LoopRemover::LoopRemover(const Workings& workings, const IsoLevel& level, VoxelValues& values)
+LoopRemover::LoopRemover(const Workings& workings, const IsoLevel& level, VoxelValues& values,
+                         std::uint64_t max_bytes)
     : workings_(workings),
       level_(level),
       values_(values),
+      max_bytes_(max_bytes),
       genus_(workings.analysis.surface.genus()),
       betti_(workings.analysis.betti),
       changed_(workings.sides->lattice.vertex_count()),
@@ -281,7 +283,7 @@ std::optional<std::vector<VoxelChange>> LoopRemover::shift(const LoopSite& loop)
 
 bool LoopRemover::removes_one(const std::vector<VoxelChange>& change) {
   for (const VoxelChange& voxel : change) values_.set(voxel.voxel, voxel.after);
-  const Analysis counted = count_topology(values_.view(), level_);
+  const Analysis counted = count_topology(values_.view(), level_, {.max_bytes = max_bytes_});
   for (const VoxelChange& voxel : change) values_.set(voxel.voxel, voxel.before);
   return counted.surface.genus() == genus_ - 1 && counted.betti.b0 == betti_.b0 &&
          counted.betti.b2 == betti_.b2;

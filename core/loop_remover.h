@@ -12,6 +12,7 @@
 #include "core/label.h"
 #include "core/loops.h"
 #include "core/membrane.h"
+#include "core/memory_budget.h"
 #include "core/voxel_values.h"
 
 namespace isoloop {
@@ -51,7 +52,10 @@ bool cross_oddly(const LoopSite& a, const LoopSite& b);
 class LoopRemover {
  public:
   /// Keeps references. `values`: the voxels that `workings` come from, to be changed by apply().
-  LoopRemover(const Workings& workings, const IsoLevel& level, VoxelValues& values);
+  /// `max_bytes`: for the count after a change, beside them; over it, propose() throws
+  /// LimitExceeded.
+  LoopRemover(const Workings& workings, const IsoLevel& level, VoxelValues& values,
+              std::uint64_t max_bytes = unlimited_bytes);
 
   /// A change of few voxels that removes the loop: a thin membrane near it (MembraneFinder), tried
   /// in several places, with what it severs where that alone fails; else the surface that the
@@ -85,6 +89,7 @@ class LoopRemover {
   const Workings& workings_;
   IsoLevel level_;
   VoxelValues& values_;
+  std::uint64_t max_bytes_;
   std::int64_t genus_;
   Betti betti_;
   std::vector<bool> changed_;  // by lattice vertex: to the other side, by apply()

@@ -140,7 +140,7 @@ class Repairer {
   Repair run() {
     bool is_first = true;
     while (true) {
-      RepairRound round(now_, level_, values_, repair_.rounds + 1);
+      RepairRound round(now_, level_, values_, repair_.rounds + 1, room_beside_now());
       if (is_first) named_ = named_targets(round.all(), request_);
       const Plan plan = plan_of(round, now_, named_, request_);
       if (is_first) repair_.before = now_.analysis;
@@ -171,7 +171,7 @@ class Repairer {
     };
     Outcome outcome = outcome_of(first_try);
     while (!accept_most(outcome, spoilers)) {
-      RepairRound round(now_, level_, values_, repair_.rounds + 1);
+      RepairRound round(now_, level_, values_, repair_.rounds + 1, room_beside_now());
       outcome = outcome_of(round);
       if (!outcome.done.empty()) continue;
       if (put_off.empty()) refuse(plan, outcome);

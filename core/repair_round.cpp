@@ -21,8 +21,8 @@ GeneratorSet joint_class(const Workings& workings, const LoopSite& site) {
 }
 
 RepairRound::RepairRound(const Workings& workings, const IsoLevel& level, VoxelValues& values,
-                         int number)
-    : workings_(workings), remover_(workings, level, values) {
+                         int number, std::uint64_t max_bytes)
+    : workings_(workings), remover_(workings, level, values, max_bytes) {
   for (const Loop& loop : workings.analysis.loops)
     all_.push_back({{loop.kind, loop.id}, number, site_of(workings, loop), loop.center_index});
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -44,8 +45,9 @@ GeneratorSet joint_class(const Workings& workings, const LoopSite& site);
 class RepairRound {
  public:
   /// Keeps references. `values`: the voxels that `workings` come from; they change. `number`: of
-  /// the analysis.
-  RepairRound(const Workings& workings, const IsoLevel& level, VoxelValues& values, int number);
+  /// the analysis. `max_bytes`: for the counts after its changes, beside them.
+  RepairRound(const Workings& workings, const IsoLevel& level, VoxelValues& values, int number,
+              std::uint64_t max_bytes);
 
   /// Whether the loop crosses all that were removed evenly and does not bound by now.
   bool is_left(const LoopSite& site) const;

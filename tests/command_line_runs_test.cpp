@@ -245,6 +245,31 @@ TEST_F(CommandLine, FarMoreThreadsThanCoresFitIntoLittleMemory) {
   EXPECT_EQ(result.exit_code, 0) << result.err;
 }
 
+TEST_F(CommandLine, WithLittleAddressSpaceEndsByTheDocumentedExitCode) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "AddressSanitizer reserves more address space than any machine has";
+#endif
+  ASSERT_EQ(run({"generate", "torus", "--size", "64", "-o", "b.nrrd"}).exit_code, 0);
+  int found = 0;
+  int short_of_memory = 0;
+  for (int kilobytes = 64'000; kilobytes <= 320'000; kilobytes += 16'000) {
+    const ProcessResult result =
+        run_program("/bin/sh", scratch_.path(),
+                    {"-c",
+                     "ulimit -v " + std::to_string(kilobytes) + "; exec \"$0\" loops b.nrrd " +
+                         "--iso 0 --inside below --features",
+                     isoloop_program().string()});
+    if (result.exit_code == 0) ++found;
+    if (result.exit_code == 4) ++short_of_memory;
+    const bool loaded = result.err.find("loading shared libraries") == std::string::npos;
+    EXPECT_TRUE(!loaded || result.exit_code == 0 || result.exit_code == 4)
+        << kilobytes << ": " << result.exit_code << ' ' << result.err;
+    EXPECT_EQ(result.err.find("terminate called"), std::string::npos) << result.err;
+  }
+  EXPECT_GT(found, 0);
+  EXPECT_GT(short_of_memory, 0);
+}
+
 TEST_F(CommandLine, ScanCountsAsCountDoes) {
   ASSERT_EQ(run({"generate", "plate", "--size", "24", "--holes", "2", "-o", "p.vdb"}).exit_code, 0);
   const ProcessResult scanned = run({"scan", "p.vdb", "--from", "-1", "--to", "1", "--values", "9",

@@ -18,10 +18,12 @@ void redirect(int stream, const std::filesystem::path& path, int flags) {
 
 }  // namespace
 
+std::filesystem::path isoloop_program() { return ISOLOOP_EXECUTABLE; }
+
 ProcessResult run_isoloop(const std::filesystem::path& directory,
                           const std::vector<std::string>& arguments,
                           const std::filesystem::path& standard_output) {
-  return run_program(ISOLOOP_EXECUTABLE, directory, arguments, standard_output);
+  return run_program(isoloop_program(), directory, arguments, standard_output);
 }
 
 ProcessResult run_program(const std::filesystem::path& program,

@@ -19,6 +19,8 @@ ProcessResult run_program(const std::filesystem::path& program,
                           const std::vector<std::string>& arguments,
                           const std::filesystem::path& standard_output = {});
 
+std::filesystem::path isoloop_program();
+
 /// Runs isoloop in `directory` with `arguments`, without standard input. Standard output goes to
 /// `standard_output`, or to the result if that is empty.
 ProcessResult run_isoloop(const std::filesystem::path& directory,

@@ -12,9 +12,6 @@
 namespace isoloop {
 namespace {
 
-constexpr const char* memory_sentence =
-    "this takes more memory than there is, or than --max-memory allows; take a smaller volume";
-
 std::string one_line(std::string text) {
   while (!text.empty() && (text.back() == '\n' || text.back() == '.')) text.pop_back();
   std::replace(text.begin(), text.end(), '\n', ' ');
@@ -43,7 +40,9 @@ Failure failure_of(const std::exception_ptr& error) {
     return {ExitCode::limit_exceeded, memory_sentence};
   } catch (const SelfCheckFailed& e) {
     return {ExitCode::self_check_failed, "self-check failed, no result: " + one_line(e.what())};
-  } catch (const std::system_error& e) {  // the file system: a full disk, a vanished file
+  } catch (const std::system_error& e) {  // threads, or files: a full disk, a vanished file
+    if (e.code() == std::errc::resource_unavailable_try_again)
+      return {ExitCode::limit_exceeded, memory_sentence};
     return {ExitCode::invalid_input, one_line(e.what())};
   } catch (const std::exception& e) {
     if (no_room_for_a_thread(e)) return {ExitCode::limit_exceeded, memory_sentence};

@@ -14,6 +14,10 @@ enum class ExitCode {
   self_check_failed = 5,  // a result that contradicts another one, or a defect of isoloop
 };
 
+/// Of a run that finds no memory.
+inline constexpr const char* memory_sentence =
+    "this takes more memory than there is, or than --max-memory allows; take a smaller volume";
+
 /// How a run that threw ends.
 struct Failure {
   ExitCode code = ExitCode::self_check_failed;
