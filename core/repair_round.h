@@ -10,6 +10,7 @@
 #include "core/grid.h"
 #include "core/label.h"
 #include "core/loop_remover.h"
+#include "core/memory_budget.h"
 #include "core/repair.h"
 #include "core/voxel_values.h"
 
@@ -47,7 +48,7 @@ class RepairRound {
   /// Keeps references. `values`: the voxels that `workings` come from; they change. `number`: of
   /// the analysis. `max_bytes`: for the counts after its changes, beside them.
   RepairRound(const Workings& workings, const IsoLevel& level, VoxelValues& values, int number,
-              std::uint64_t max_bytes);
+              std::uint64_t max_bytes = unlimited_bytes);
 
   /// Whether the loop crosses all that were removed evenly and does not bound by now.
   bool is_left(const LoopSite& site) const;
