@@ -31,12 +31,13 @@ TEST(ShapeField, DimensionsHoldTheSolidAndItsMargin) {
 
 TEST(ShapeField, SamplesInTheOrderOfTheVoxels) {
   const Volume volume = sample_distance(
-      {4, 3, 2}, "f", [](const Vec3& p) { return p[0] + 10.0 * p[1] + 100.0 * p[2]; });
+      {4, 3, 2}, 0, "f", [](const Vec3& p) { return p[0] + 10.0 * p[1] + 100.0 * p[2]; });
   const auto& values = std::get<std::vector<float>>(volume.values);
   ASSERT_EQ(values.size(), 24U);
   EXPECT_EQ(values[3 + 4 * (2 + 3 * 1)], 123.0F);
   EXPECT_EQ(values[1], 1.0F);
-  EXPECT_THROW(sample_distance({0, 3, 2}, "f", [](const Vec3&) { return 0.0; }), InvalidArgument);
+  EXPECT_THROW(sample_distance({0, 3, 2}, 0, "f", [](const Vec3&) { return 0.0; }),
+               InvalidArgument);
 }
 
 }  // namespace

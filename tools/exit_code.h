@@ -16,7 +16,7 @@ enum class ExitCode {
 
 /// Of a run that finds no memory.
 inline constexpr const char* memory_sentence =
-    "this takes more memory than there is, or than --max-memory allows; take a smaller volume";
+    "this takes more memory than there is, or than the limit allows; take a smaller volume";
 
 /// How a run that threw ends.
 struct Failure {

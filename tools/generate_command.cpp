@@ -10,6 +10,8 @@
 
 #include "core/errors.h"
 #include "tools/flag_checks.h"
+#include "tools/input_flags.h"
+#include "tools/memory_cap.h"
 #include "tools/number_text.h"
 #include "tools/output_files.h"
 #include "volume/file_kind.h"
@@ -23,6 +25,7 @@ namespace {
 struct GenerateFlags {
   std::string shape;
   std::string output;
+  std::string max_memory;
   ShapeOptions options;
 };
 
@@ -51,7 +54,12 @@ void generate(const GenerateFlags& flags) {
     throw InvalidArgument(flags.output + ": volumes are written as " + written_extensions());
   }
   check_writable(path);
-  Shape shape = make_shape(flags.shape, flags.options);
+  ShapeOptions options = flags.options;
+  if (!flags.max_memory.empty()) {
+    options.max_bytes = parse_bytes(flags.max_memory);
+    cap_memory(options.max_bytes);
+  }
+  Shape shape = make_shape(flags.shape, options);
   if (voxel_type(shape.volume.values) != VoxelType::float32) {
     throw SelfCheckFailed("a shape must be made of float32 voxels");
   }
@@ -88,6 +96,7 @@ void add_generate_command(CLI::App& app) {
           ->type_name("M")
           ->capture_default_str(),
       1, most_cells);
+  add_memory_flag(command, flags->max_memory);
   want_file_name(
       command.add_option("-o,--output", flags->output, "file to write: .vdb, .nrrd or .raw")
           ->type_name("FILE")

@@ -37,8 +37,8 @@ std::size_t numbers_after(std::string_view flag) {
 
 void check_volume_flags(CLI::App& command) {
   want_file_name(command.get_option("FILE"));
-  for (const char* flag : {"--dims", "--type", "--spacing", "--grid", "--series", "--label",
-                           "--crop", "--nan-as", "--max-memory"}) {
+  for (const char* flag :
+       {"--dims", "--type", "--spacing", "--grid", "--series", "--label", "--crop", "--nan-as"}) {
     want_text(command.get_option(flag));
   }
   for (const char* flag : {"--skip", "--frame"}) want_whole_number(command.get_option(flag), 0);
@@ -49,6 +49,14 @@ void check_volume_flags(CLI::App& command) {
 }
 
 }  // namespace
+
+void add_memory_flag(CLI::App& command, std::string& size) {
+  want_text(command
+                .add_option("--max-memory", size,
+                            "give up, exit code 4, rather than use more, for example 4G (default: "
+                            "80 % of what is free)")
+                ->type_name("SIZE"));
+}
 
 void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
   command
@@ -115,12 +123,7 @@ void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
   command
       .add_option("--nan-as", flags.nan_as, "read NaN voxels as this value; else they are refused")
       ->type_name("VALUE");
-  command
-      .add_option(
-          "--max-memory", flags.max_memory,
-          "give up, exit code 4, rather than use more, for example 4G (default: 80 % of what "
-          "is free)")
-      ->type_name("SIZE");
+  add_memory_flag(command, flags.max_memory);
   command
       .add_option("--max-voxels", flags.max_voxels,
                   "give up, exit code 4, on a volume of more voxels")

@@ -44,6 +44,9 @@ struct LevelFlags {
   bool open_boundary = false;
 };
 
+/// Adds --max-memory, for parse_bytes(). `size` must outlive the parse.
+void add_memory_flag(CLI::App& command, std::string& size);
+
 /// Adds FILE and the flags that describe it. `flags` must outlive the parse.
 void add_volume_flags(CLI::App& command, VolumeFlags& flags);
 

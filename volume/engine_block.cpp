@@ -109,7 +109,7 @@ double nearest_rod_distance(const std::vector<Rod>& rods, const Vec3& u) {
 
 }  // namespace
 
-Shape make_engine_block(double extent) {
+Shape make_engine_block(double extent, std::uint64_t max_bytes) {
   const double scale = extent / design[0];  // voxels per design unit
   const Index3 dims = shape_dims({extent, design[1] * scale, design[2] * scale});
   std::vector<Rod> rods;
@@ -118,7 +118,7 @@ Shape make_engine_block(double extent) {
   add_oil(rods);
   add_blind_holes(rods);
   Shape shape;
-  shape.volume = sample_distance(dims, "engine_block", [&](const Vec3& p) {
+  shape.volume = sample_distance(dims, max_bytes, "engine_block", [&](const Vec3& p) {
     Vec3 u{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double centre = 0.5 * static_cast<double>(dims[axis] - 1);

@@ -104,7 +104,7 @@ void check_strays(const Census& census, std::size_t voxels, const std::string& w
   if (census.strays <= static_cast<std::int64_t>(voxels) / voxels_for_each_stray) return;
   throw InvalidArgument(what + ": is no label map for --label: " + std::to_string(census.strays) +
                         " of " + std::to_string(voxels) + " voxels " + examples_of(census) +
-                        "; take an iso value (--iso), or resample the labels without "
+                        "; take an iso value in their place, or resample the labels without "
                         "interpolation");
 }
 

@@ -85,10 +85,12 @@ inline double rod_distance(const Vec3& p, const Vec3& a, const Vec3& b, double r
 }
 
 /// A float32 signed-distance volume, spacing 1: values[i + dims[0] * (j + dims[1] * k)] =
-/// distance({i, j, k}). Throws as check_voxel_memory does. `distance` is called from many threads.
+/// distance({i, j, k}). Throws as check_voxel_memory does, with `max_bytes`. `distance` is called
+/// from many threads.
 template <class Distance>
-Volume sample_distance(const Index3& dims, const std::string& what, const Distance& distance) {
-  check_voxel_memory(dims, sizeof(float), 0, what);
+Volume sample_distance(const Index3& dims, std::uint64_t max_bytes, const std::string& what,
+                       const Distance& distance) {
+  check_voxel_memory(dims, sizeof(float), max_bytes, what);
   std::vector<float> values(checked_voxel_count(dims, what));
   tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, dims[2]), [&](const auto& slabs) {
     for (std::int64_t k = slabs.begin(); k < slabs.end(); ++k) {

@@ -26,40 +26,40 @@ Vec3 plus(const Vec3& a, const Vec3& b) { return {a[0] + b[0], a[1] + b[1], a[2]
 
 /// Samples `distance`, which takes points relative to the volume's centre.
 template <class Distance>
-Shape centred_shape(std::string_view name, const Vec3& extents,
+Shape centred_shape(const ShapeOptions& options, std::string_view name, const Vec3& extents,
                     const std::optional<KnownTopology>& known, const Distance& distance) {
   const Index3 dims = shape_dims(extents);
   const Vec3 centre = centre_of(dims);
   Shape shape;
-  shape.volume = sample_distance(dims, std::string(name),
+  shape.volume = sample_distance(dims, options.max_bytes, std::string(name),
                                  [&](const Vec3& p) { return distance(minus(p, centre)); });
   shape.known = known;
   return shape;
 }
 
-Shape make_ball(double extent, const ShapeOptions&) {
-  return centred_shape("ball", {extent, extent, extent}, KnownTopology{1, 0, 0},
+Shape make_ball(double extent, const ShapeOptions& options) {
+  return centred_shape(options, "ball", {extent, extent, extent}, KnownTopology{1, 0, 0},
                        [=](const Vec3& p) { return norm(p) - 0.5 * extent; });
 }
 
 /// A ball with a cavity of half its radius.
-Shape make_shell(double extent, const ShapeOptions&) {
+Shape make_shell(double extent, const ShapeOptions& options) {
   const double radius = 0.5 * extent;
   return centred_shape(
-      "shell", {extent, extent, extent}, KnownTopology{1, 0, 1},
+      options, "shell", {extent, extent, extent}, KnownTopology{1, 0, 1},
       [=](const Vec3& p) { return std::max(norm(p) - radius, 0.5 * radius - norm(p)); });
 }
 
-Shape make_torus(double extent, const ShapeOptions&) {
+Shape make_torus(double extent, const ShapeOptions& options) {
   const double minor = extent / 6.0;  // also the radius of the hole
-  return centred_shape("torus", {extent, extent, 2.0 * minor}, KnownTopology{1, 1, 0},
+  return centred_shape(options, "torus", {extent, extent, 2.0 * minor}, KnownTopology{1, 1, 0},
                        [=](const Vec3& p) { return ring_distance(p, {}, 2, 2.0 * minor, minor); });
 }
 
 /// The solid between two coaxial tori, a thickened torus surface: b1 = 2, b2 = 1.
-Shape make_nested_tori(double extent, const ShapeOptions&) {
+Shape make_nested_tori(double extent, const ShapeOptions& options) {
   const double unit = 0.1 * extent;  // thickness of the shell, radius of the cavity and the hole
-  return centred_shape("nested_tori", {extent, extent, 4.0 * unit}, KnownTopology{1, 2, 1},
+  return centred_shape(options, "nested_tori", {extent, extent, 4.0 * unit}, KnownTopology{1, 2, 1},
                        [=](const Vec3& p) {
                          const double d = ring_distance(p, {}, 2, 3.0 * unit, 0.0);
                          return std::max(d - 2.0 * unit, unit - d);
@@ -69,11 +69,11 @@ Shape make_nested_tori(double extent, const ShapeOptions&) {
 /// A Hopf link. The circles, of radius R and each through the other's centre, are R apart
 /// everywhere: the squared distance is R^2 (3 + 2 (v - u - u v)) with cosines u, v, and
 /// v - u - u v = (1 - u)(1 + v) - 1 >= -1. Tubes of radius R / 4 leave a gap of R / 2.
-Shape make_linked_tori(double extent, const ShapeOptions&) {
+Shape make_linked_tori(double extent, const ShapeOptions& options) {
   const double major = extent / 3.5;
   const double minor = 0.25 * major;
   const double across = 2.0 * (major + minor);
-  return centred_shape("linked_tori", {extent, across, across}, KnownTopology{2, 2, 0},
+  return centred_shape(options, "linked_tori", {extent, across, across}, KnownTopology{2, 2, 0},
                        [=](const Vec3& p) {
                          const Vec3 left{-0.5 * major, 0.0, 0.0};
                          const Vec3 right{0.5 * major, 0.0, 0.0};
@@ -110,10 +110,11 @@ Shape make_plate(double extent, const ShapeOptions& options) {
     }
     return 0.25 * pitch - nearest;
   };
-  return centred_shape("plate", size, KnownTopology{1, options.holes, 0}, [=](const Vec3& p) {
-    const Vec3 low{-half[0], -half[1], -half[2]};
-    return std::max(box_distance(p, low, half, 0.15 * thickness), hole_depth(p));
-  });
+  return centred_shape(
+      options, "plate", size, KnownTopology{1, options.holes, 0}, [=](const Vec3& p) {
+        const Vec3 low{-half[0], -half[1], -half[2]};
+        return std::max(box_distance(p, low, half, 0.15 * thickness), hole_depth(p));
+      });
 }
 
 /// Tubes along the edges of m x m x m cells, a graph with V = (m + 1)^3 vertices and
@@ -123,7 +124,7 @@ Shape make_lattice(double extent, const ShapeOptions& options) {
   const double pitch = extent / (static_cast<double>(m) + 0.5);  // tubes of radius pitch / 4
   const double end = static_cast<double>(m);
   const KnownTopology known{1, 3 * m * (m + 1) * (m + 1) - (m + 1) * (m + 1) * (m + 1) + 1, 0};
-  return centred_shape("lattice", {extent, extent, extent}, known, [=](const Vec3& p) {
+  return centred_shape(options, "lattice", {extent, extent, extent}, known, [=](const Vec3& p) {
     Vec3 to_line{};  // squared distances to the nearest grid plane, and past the grid's end
     Vec3 past{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -149,7 +150,7 @@ constexpr Vec3 trefoil_low{-2.3644, -2.8283, -1.0};
 constexpr Vec3 trefoil_high{3.0, 2.8283, 1.0};
 constexpr double trefoil_longest = trefoil_high[1] - trefoil_low[1] + 2.0 * trefoil_radius;
 
-Shape make_trefoil(double extent, const ShapeOptions&) {
+Shape make_trefoil(double extent, const ShapeOptions& options) {
   const double scale = extent / trefoil_longest;
   Vec3 extents = minus(trefoil_high, trefoil_low);
   for (double& length : extents) length = scale * (length + 2.0 * trefoil_radius);
@@ -167,21 +168,22 @@ Shape make_trefoil(double extent, const ShapeOptions&) {
     curve.push_back(plus(p, centre));
   }
   Shape shape;
-  check_voxel_memory(dims, sizeof(float), 0, "trefoil");
+  check_voxel_memory(dims, sizeof(float), options.max_bytes, "trefoil");
   const CurveDistance distance(std::move(curve), dims);
-  shape.volume = sample_distance(
-      dims, "trefoil", [&](const Vec3& p) { return distance(p) - scale * trefoil_radius; });
+  shape.volume = sample_distance(dims, options.max_bytes, "trefoil", [&](const Vec3& p) {
+    return distance(p) - scale * trefoil_radius;
+  });
   shape.known = KnownTopology{1, 1, 0};
   return shape;
 }
 
 /// One labyrinth of the gyroid, three periods wide, cut off by a box. How its channels end at the
 /// box decides b1; no formula is known.
-Shape make_gyroid(double extent, const ShapeOptions&) {
+Shape make_gyroid(double extent, const ShapeOptions& options) {
   const double k = 3.0 * 2.0 * std::numbers::pi / extent;
   const Vec3 half{0.5 * extent, 0.5 * extent, 0.25 * extent};
   const Vec3 size{2.0 * half[0], 2.0 * half[1], 2.0 * half[2]};
-  return centred_shape("gyroid", size, std::nullopt, [=](const Vec3& p) {
+  return centred_shape(options, "gyroid", size, std::nullopt, [=](const Vec3& p) {
     const double x = k * p[0];
     const double y = k * p[1];
     const double z = k * p[2];
@@ -202,7 +204,7 @@ struct Recipe {
 constexpr std::array<Recipe, 10> recipes{{
     {"ball", [](const ShapeOptions&) { return narrowest; }, make_ball},
     {"engine_block", [](const ShapeOptions&) { return least_engine_block_extent; },
-     [](double extent, const ShapeOptions&) { return make_engine_block(extent); }},
+     [](double extent, const ShapeOptions& o) { return make_engine_block(extent, o.max_bytes); }},
     {"gyroid", [](const ShapeOptions&) { return 42.0; }, make_gyroid},
     {"lattice", [](const ShapeOptions& o) { return narrowest * (2.0 * o.cells + 1.0); },
      make_lattice},
@@ -262,7 +264,7 @@ Shape make_shape(std::string_view name, const ShapeOptions& options) {
                           " is too small to resolve it; take " + std::to_string(least) +
                           " or more");
   }
-  check_voxel_memory({options.size, 1, 1}, sizeof(float), 0, std::string(name));
+  check_voxel_memory({options.size, 1, 1}, sizeof(float), options.max_bytes, std::string(name));
   return recipe.make(shape_extent(options.size), options);
 }
 

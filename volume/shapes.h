@@ -15,9 +15,10 @@ inline constexpr int most_holes = 1000;
 inline constexpr int most_cells = 100;
 
 struct ShapeOptions {
-  std::int64_t size = 128;  // voxels along the longest axis, at least minimum_shape_size
-  int holes = 3;            // plate: holes through it, 0 to most_holes
-  int cells = 3;            // lattice: cells along each axis, 1 to most_cells
+  std::int64_t size = 128;      // voxels along the longest axis, at least minimum_shape_size
+  int holes = 3;                // plate: holes through it, 0 to most_holes
+  int cells = 3;                // lattice: cells along each axis, 1 to most_cells
+  std::uint64_t max_bytes = 0;  // of voxels; 0: what the machine can spare
 };
 
 /// Betti numbers of the solid: components, independent tunnels, cavities.
