@@ -5,15 +5,13 @@
 #include <span>
 #include <vector>
 
+#include "core/curve.h"
 #include "core/dual_pass.h"
 #include "core/grid_complex.h"
 #include "core/label.h"
 #include "core/surface.h"
 
 namespace isoloop {
-
-/// Vertices of M; each is joined to the next, and the last to the first, by an edge of M.
-using Curve = std::vector<std::uint32_t>;
 
 /// A cocycle on M's edge graph: the values along a closed walk sum to its class in
 /// H1(I) + H1(O), which equals H1(M). Generators below inside_rank are those of H1(I) (numbered as

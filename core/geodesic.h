@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/certificate.h"
+#include "core/curve.h"
 #include "core/surface.h"
 #include "core/triangle_fans.h"
 

@@ -34,10 +34,4 @@ KillingBorders killing_borders(const GridComplex& complex, const DualPass& pass)
 Z2Basis border_classes(const Surface& surface, const SurfaceClasses& classes, Side side,
                        const KillingBorders& borders);
 
-/// The edges of one border, strung into closed curves without repeated vertices.
-std::vector<Curve> closed_curves(std::span<const std::array<std::uint32_t, 2>> edges);
-
-/// Length of closed curves along M's edges, unit of the spacing.
-double length_of(const Surface& surface, std::span<const Curve> curves);
-
 }  // namespace isoloop

@@ -6,7 +6,6 @@
 #include <unordered_map>
 
 #include "core/errors.h"
-#include "core/killing_border.h"
 
 namespace isoloop {
 namespace {

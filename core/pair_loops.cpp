@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <tuple>
 
-#include "core/killing_border.h"
 
 namespace isoloop {
 

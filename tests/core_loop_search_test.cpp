@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "core/bounded_search.h"
-#include "core/killing_border.h"
 #include "core/loop_search.h"
 #include "tests/core_fixture.h"
 #include "tests/exact_basis.h"
