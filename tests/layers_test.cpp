@@ -1,6 +1,8 @@
 // The layout is the architecture: what includes what.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
@@ -14,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Everything that the sources of one folder include, with the file that does.
+/// Everything that the sources of one folder include, with the file that does, by its path.
 std::set<std::pair<std::string, std::string>> includes_of(const std::string& folder) {
   static const std::regex include(R"re(^\s*#\s*include\s*[<"]([^>"]+)[>"])re");
   std::set<std::pair<std::string, std::string>> found;
@@ -23,7 +25,7 @@ std::set<std::pair<std::string, std::string>> includes_of(const std::string& fol
     std::ifstream file(entry.path());
     for (std::string line; std::getline(file, line);)
       if (std::smatch match; std::regex_search(line, match, include))
-        found.emplace(match[1], entry.path().filename());
+        found.emplace(match[1], fs::relative(entry.path(), ISOLOOP_SOURCE).string());
   }
   EXPECT_FALSE(found.empty());
   return found;
@@ -49,7 +51,8 @@ TEST(Layers, VolumeSeesNeitherToolsNorTheirLibraries) {
 }
 
 TEST(Layers, FewFilesSeeOpenVdb) {
-  const std::set<std::string> allowed{"mesh_distance.cpp", "vdb_decode.cpp", "vdb_write.cpp"};
+  const std::set<std::string> allowed{"volume/mesh_distance.cpp", "volume/vdb_decode.cpp",
+                                      "volume/vdb_write.cpp"};
   for (const std::string folder : {"volume", "tools"})
     for (const auto& [name, file] : includes_of(folder))
       EXPECT_TRUE(allowed.count(file) > 0 || !starts_with_any(name, {"openvdb"})) << file;
@@ -57,37 +60,52 @@ TEST(Layers, FewFilesSeeOpenVdb) {
 
 TEST(Layers, OnlyTheCutOfCubesReadsItsTables) {
   // Everybody else asks sides, surface and grid_complex.
-  for (const auto& [name, file] : includes_of("core"))
-    EXPECT_TRUE(name != "core/cube.h" || starts_with_any(file, {"cube"}) || file == "sides.h")
-        << file;
-}
-
-/// The number of each header's room in README's table.
-std::map<std::string, int> rooms_of_core() {
-  static const std::regex name("`([a-z0-9_]+)`");
-  std::ifstream readme(fs::path(ISOLOOP_SOURCE) / "README.md");
-  std::map<std::string, int> rooms;
-  bool begun = false;
-  int row = 0;
-  for (std::string line; std::getline(readme, line); ++row) {
-    begun = begun || line.rfind("The rooms of `core/`", 0) == 0;
-    if (!begun || line.rfind("| `", 0) != 0) continue;
-    const std::string headers = line.substr(0, line.find('|', 1));
-    for (std::sregex_iterator i(headers.begin(), headers.end(), name), end; i != end; ++i)
-      rooms.emplace((*i)[1], row);
-  }
-  return rooms;
-}
-
-TEST(Layers, RoomsOfCoreSeeThemselvesAndThoseBefore) {
-  const std::map<std::string, int> rooms = rooms_of_core();
+  int readers = 0;
   for (const auto& [name, file] : includes_of("core")) {
-    if (!starts_with_any(name, {"core/"})) continue;
-    const auto from = rooms.find(fs::path(file).stem());
-    const auto to = rooms.find(fs::path(name).stem());
-    ASSERT_TRUE(from != rooms.end() && to != rooms.end()) << file << " or " << name;
-    EXPECT_LE(to->second, from->second) << file << " includes " << name;
+    if (name != "core/cube/cube.h") continue;
+    ++readers;
+    EXPECT_TRUE(starts_with_any(file, {"core/cube/", "core/scan/cube_sweep.h"})) << file;
   }
+  EXPECT_GT(readers, 1);
+}
+
+/// "core/grid" of "core/grid/level.h".
+std::string folder_of(const std::string& file) { return fs::path(file).parent_path().string(); }
+
+/// The folders that each folder's sources include from, itself not among them.
+std::map<std::string, std::set<std::string>> arrows() {
+  std::map<std::string, std::set<std::string>> to;
+  for (const std::string layer : {"core", "volume", "tools"})
+    for (const auto& [name, file] : includes_of(layer))
+      if (starts_with_any(name, {"core/", "volume/", "tools/"}) &&
+          folder_of(name) != folder_of(file))
+        to[folder_of(file)].insert(folder_of(name));
+  return to;
+}
+
+TEST(Layers, NoIncludeRunsBackBetweenFolders) {
+  std::map<std::string, std::set<std::string>> left = arrows();
+  // Takes away folders that see none of those left, until all are gone.
+  for (bool found = true; found && !left.empty();) {
+    found = false;
+    for (auto folder = left.begin(); folder != left.end();) {
+      const bool is_lowest = std::none_of(folder->second.begin(), folder->second.end(),
+                                          [&](const auto& seen) { return left.count(seen) > 0; });
+      folder = is_lowest ? left.erase(folder) : std::next(folder);
+      found = found || is_lowest;
+    }
+  }
+  for (const auto& [folder, seen] : left)
+    for (const std::string& other : seen)
+      EXPECT_EQ(left.count(other), 0U) << folder << " sees " << other << ", which sees it";
+}
+
+TEST(Layers, AFolderOfCoreFitsAGlance) {
+  std::map<std::string, int> headers;
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(ISOLOOP_SOURCE) / "core"))
+    if (entry.path().extension() == ".h") ++headers[entry.path().parent_path().string()];
+  EXPECT_GT(headers.size(), 10U);
+  for (const auto& [folder, count] : headers) EXPECT_LE(count, 14) << folder;
 }
 
 }  // namespace

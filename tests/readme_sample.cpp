@@ -1,7 +1,7 @@
 #include <exception>
 #include <iostream>
 
-#include "core/analysis.h"
+#include "core/analysis/analysis.h"
 #include "volume/read.h"
 
 int main(int argc, char** argv) {
@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
       std::cout << (handle ? "handle loop, cut at " : "tunnel loop, fill at ") << centre[0] << ' '
                 << centre[1] << ' ' << centre[2] << ", length " << loop.length << '\n';
     }
-  } catch (const std::exception& error) {  // those of core/errors.h
+  } catch (const std::exception& error) {  // those of core/base/errors.h
     std::cerr << error.what() << '\n';
     return 3;
   }

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/errors.h"
-#include "core/memory_budget.h"
+#include "core/base/errors.h"
+#include "core/base/memory_budget.h"
 #include "tests/sample_run.h"
 
 namespace isoloop {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "tests/sample_run.h"
 
 namespace isoloop {

@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/analysis.h"
-#include "core/disjoint_sets.h"
-#include "tests/random_volumes.h"
+#include "core/analysis/analysis.h"
+#include "core/base/disjoint_sets.h"
+#include "tests/oracles/random_volumes.h"
 
 namespace isoloop {
 namespace {

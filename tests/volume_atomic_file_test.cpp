@@ -7,7 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "tests/volume_test_files.h"
 #include "volume/atomic_file.h"
 

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "tests/byte_samples.h"
 #include "tests/mesh_samples.h"
 #include "tests/meta_image_samples.h"

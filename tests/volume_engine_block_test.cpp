@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "tests/voxel_oracle.h"
+#include "tests/oracles/voxel_oracle.h"
 #include "volume/engine_block.h"
 #include "volume/shape_field.h"
 

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "tests/mesh_samples.h"
 #include "tests/volume_test_files.h"
 #include "volume/mesh.h"

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/errors.h"
-#include "core/threads.h"
-#include "tests/voxel_oracle.h"
+#include "core/base/errors.h"
+#include "core/base/threads.h"
+#include "tests/oracles/voxel_oracle.h"
 #include "volume/shapes.h"
 
 namespace isoloop {

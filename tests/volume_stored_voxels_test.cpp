@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "tests/byte_samples.h"
 #include "tests/damaged_files.h"
 #include "volume/stored_voxels.h"

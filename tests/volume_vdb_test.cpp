@@ -12,7 +12,7 @@
 #include <openvdb/io/Stream.h>
 #include <openvdb/openvdb.h>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "tests/volume_test_files.h"
 #include "volume/vdb.h"
 #include "volume/vdb_decode.h"

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/analysis.h"
-#include "core/errors.h"
-#include "core/threads.h"
+#include "core/analysis/analysis.h"
+#include "core/base/errors.h"
+#include "core/base/threads.h"
 #include "tests/mesh_samples.h"
 #include "tests/volume_test_files.h"
 #include "volume/mesh_distance.h"

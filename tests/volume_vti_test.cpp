@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "tests/byte_samples.h"
 #include "tests/damaged_files.h"
 #include "tests/volume_test_files.h"

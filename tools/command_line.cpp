@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "tools/count_command.h"
 #include "tools/exit_code.h"
 #include "tools/generate_command.h"

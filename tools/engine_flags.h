@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/analysis.h"
+#include "core/analysis/analysis.h"
 #include "tools/cli_app.h"
 
 namespace isoloop {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "volume/file_kind.h"
 #include "volume/mesh.h"
 

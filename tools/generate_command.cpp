@@ -8,7 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "tools/flag_checks.h"
 #include "tools/input_flags.h"
 #include "tools/memory_cap.h"

@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "core/memory_budget.h"
+#include "core/base/memory_budget.h"
 #include "tools/flag_kinds.h"
 #include "tools/input_flags.h"
 #include "tools/number_text.h"

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/grid.h"
-#include "core/sides.h"
+#include "core/cube/sides.h"
+#include "core/grid/grid.h"
 #include "tools/cli_app.h"
 #include "volume/read.h"
 

@@ -9,7 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "tools/engine_flags.h"
 #include "tools/flag_checks.h"
 #include "tools/loops_run.h"

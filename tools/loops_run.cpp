@@ -3,8 +3,8 @@
 #include <chrono>
 #include <iostream>
 
-#include "core/errors.h"
-#include "core/stage.h"
+#include "core/base/errors.h"
+#include "core/base/stage.h"
 #include "tools/read_run.h"
 #include "tools/scan_run.h"
 #include "tools/thread_flag.h"

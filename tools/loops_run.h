@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "core/features.h"
-#include "core/progress.h"
+#include "core/base/progress.h"
+#include "core/loops/features.h"
 #include "tools/engine_flags.h"
 #include "tools/input_flags.h"
 #include "tools/run_result.h"

@@ -4,7 +4,7 @@
 
 #include <sys/resource.h>
 
-#include "core/threads.h"
+#include "core/base/threads.h"
 
 namespace isoloop {
 

@@ -8,8 +8,8 @@
 
 #include <unistd.h>
 
-#include "core/errors.h"
-#include "core/stage.h"
+#include "core/base/errors.h"
+#include "core/base/stage.h"
 #include "volume/atomic_file.h"
 
 namespace isoloop {

@@ -7,7 +7,7 @@
 #include <string>
 #include <thread>
 
-#include "core/progress.h"
+#include "core/base/progress.h"
 #include "tools/cli_app.h"
 
 namespace isoloop {

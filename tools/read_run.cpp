@@ -4,7 +4,7 @@
 #include <chrono>
 #include <iostream>
 
-#include "core/stage.h"
+#include "core/base/stage.h"
 #include "tools/flag_kinds.h"
 #include "tools/memory_cap.h"
 #include "tools/value_hints.h"

@@ -10,8 +10,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "core/errors.h"
-#include "core/stage.h"
+#include "core/base/errors.h"
+#include "core/base/stage.h"
 #include "tools/flag_checks.h"
 #include "tools/output_files.h"
 #include "tools/progress.h"

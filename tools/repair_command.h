@@ -6,7 +6,7 @@
 namespace isoloop {
 
 /// Adds the subcommand; parsing it writes a volume without the handles and tunnels that were asked
-/// for. Throws the errors of core/errors.h while it runs; then nothing has been written.
+/// for. Throws the errors of core/base/errors.h while it runs; then nothing has been written.
 void add_repair_command(CLI::App& app);
 
 }  // namespace isoloop

@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "tools/flag_checks.h"
 
 namespace isoloop {

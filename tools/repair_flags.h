@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "core/repair.h"
+#include "core/repair/repair.h"
 #include "tools/cli_app.h"
 
 namespace isoloop {

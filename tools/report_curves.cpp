@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "tools/number_text.h"
 #include "tools/report_table.h"
 

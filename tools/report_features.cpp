@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/memory_budget.h"
+#include "core/base/memory_budget.h"
 #include "tools/number_text.h"
 #include "tools/report_table.h"
 #include "tools/text_rows.h"

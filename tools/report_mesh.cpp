@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "tools/number_text.h"
 #include "tools/report_features.h"
 #include "tools/report_table.h"

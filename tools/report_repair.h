@@ -4,7 +4,7 @@
 #include <ostream>
 #include <string>
 
-#include "core/repair.h"
+#include "core/repair/repair.h"
 #include "tools/run_result.h"
 
 namespace isoloop {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "tools/base64.h"
 #include "tools/number_text.h"
 #include "tools/report_mesh.h"

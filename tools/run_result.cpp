@@ -7,7 +7,7 @@
 
 #include <sys/resource.h>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 
 namespace isoloop {
 namespace {

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis.h"
-#include "core/features.h"
-#include "core/plateau.h"
-#include "core/scan.h"
+#include "core/analysis/analysis.h"
+#include "core/loops/features.h"
+#include "core/scan/plateau.h"
+#include "core/scan/scan.h"
 #include "volume/volume.h"
 
 namespace isoloop {

@@ -8,9 +8,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "core/errors.h"
-#include "core/scan.h"
-#include "core/stage.h"
+#include "core/base/errors.h"
+#include "core/base/stage.h"
+#include "core/scan/scan.h"
 #include "tools/flag_checks.h"
 #include "tools/output_files.h"
 #include "tools/progress.h"

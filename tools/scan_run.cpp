@@ -6,9 +6,9 @@
 #include <type_traits>
 #include <variant>
 
-#include "core/errors.h"
-#include "core/plateau.h"
-#include "core/scan.h"
+#include "core/base/errors.h"
+#include "core/scan/plateau.h"
+#include "core/scan/scan.h"
 #include "tools/number_text.h"
 
 namespace isoloop {
@@ -29,7 +29,7 @@ bool holds_integers(const Volume& volume) {
 
 std::vector<double> scan_values(const ScanRange& range, const Volume& volume,
                                 const ValueRange& voxels) {
-  constexpr double largest = 1e150;  // as core/level.h takes infinite values
+  constexpr double largest = 1e150;  // as core/grid/level.h takes infinite values
   const double from = range.from.value_or(std::clamp(voxels.min, -largest, largest));
   const double to = range.to.value_or(std::clamp(voxels.max, -largest, largest));
   if (!std::isfinite(from) || !std::isfinite(to) || from > to)

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/progress.h"
+#include "core/base/progress.h"
 #include "tools/run_result.h"
 #include "volume/volume.h"
 

@@ -1,7 +1,7 @@
 // --threads: the same in every subcommand that has it.
 #pragma once
 
-#include "core/threads.h"
+#include "core/base/threads.h"
 #include "tools/cli_app.h"
 
 namespace isoloop {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/grid.h"
+#include "core/grid/grid.h"
 
 namespace isoloop {
 

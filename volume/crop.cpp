@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "volume/memory_limit.h"
 
 namespace isoloop {

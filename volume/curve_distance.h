@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/grid.h"
+#include "core/grid/grid.h"
 
 namespace isoloop {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "volume/dicom_elements.h"
 #include "volume/dicom_slice.h"
 #include "volume/header_text.h"

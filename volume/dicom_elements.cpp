@@ -6,7 +6,7 @@
 #include <limits>
 #include <string_view>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "volume/byte_stream.h"
 #include "volume/header_text.h"
 

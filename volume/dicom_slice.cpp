@@ -3,7 +3,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "volume/dicom_elements.h"
 
 namespace isoloop {

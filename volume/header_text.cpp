@@ -6,7 +6,7 @@
 #include <span>
 #include <system_error>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 
 namespace isoloop {
 namespace {

@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 
 namespace isoloop {
 namespace {

@@ -3,8 +3,8 @@
 #include <fstream>
 #include <limits>
 
-#include "core/errors.h"
-#include "core/memory_budget.h"
+#include "core/base/errors.h"
+#include "core/base/memory_budget.h"
 
 namespace isoloop {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "core/grid.h"
+#include "core/grid/grid.h"
 
 namespace isoloop {
 

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "volume/memory_limit.h"
 #include "volume/mesh_closure.h"
 #include "volume/mesh_text.h"

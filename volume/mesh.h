@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/grid.h"
+#include "core/grid/grid.h"
 
 namespace isoloop {
 

@@ -7,7 +7,7 @@
 
 #include <tbb/parallel_for.h>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 
 namespace isoloop {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "volume/header_text.h"
 #include "volume/stored_voxels.h"
 

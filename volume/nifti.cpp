@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "volume/byte_order.h"
 #include "volume/stored_voxels.h"
 

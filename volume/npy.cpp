@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "volume/header_text.h"
 #include "volume/stored_voxels.h"
 

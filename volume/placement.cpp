@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 
 namespace isoloop {
 namespace {

@@ -9,7 +9,7 @@
 #include <span>
 #include <string>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "volume/byte_stream.h"
 #include "volume/stored_voxels.h"
 

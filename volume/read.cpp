@@ -6,8 +6,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/errors.h"
-#include "core/memory_budget.h"
+#include "core/base/errors.h"
+#include "core/base/memory_budget.h"
 #include "volume/byte_stream.h"
 #include "volume/dicom.h"
 #include "volume/file_kind.h"

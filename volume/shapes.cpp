@@ -7,7 +7,7 @@
 
 #include <tbb/parallel_for.h>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "volume/curve_distance.h"
 #include "volume/engine_block.h"
 #include "volume/shape_field.h"

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 
 namespace isoloop {
 namespace {

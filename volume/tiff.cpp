@@ -13,7 +13,7 @@
 
 #include <tiffio.h>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "volume/header_text.h"
 #include "volume/stored_voxels.h"
 #include "volume/tiff_pages.h"

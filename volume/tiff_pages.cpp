@@ -6,7 +6,7 @@
 #include <set>
 #include <span>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "volume/byte_order.h"
 #include "volume/byte_stream.h"
 

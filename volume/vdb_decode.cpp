@@ -11,7 +11,7 @@
 #include <openvdb/io/Stream.h>
 #include <openvdb/openvdb.h>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "volume/vdb_message.h"
 
 namespace isoloop {

@@ -9,7 +9,7 @@
 
 #include <tbb/global_control.h>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "volume/child_process.h"
 #include "volume/vdb_decode.h"
 #include "volume/vdb_message.h"

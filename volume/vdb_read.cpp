@@ -3,7 +3,7 @@
 #include <string>
 #include <system_error>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "volume/child_process.h"
 #include "volume/memory_limit.h"
 #include "volume/vdb.h"

@@ -6,7 +6,7 @@
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/Dense.h>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "volume/memory_limit.h"
 #include "volume/vdb.h"
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "volume/mesh_closure.h"
 #include "volume/mesh_distance.h"
 #include "volume/mesh_winding.h"

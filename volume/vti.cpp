@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "volume/header_text.h"
 #include "volume/stored_voxels.h"
 #include "volume/vti_data.h"

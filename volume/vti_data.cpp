@@ -7,7 +7,7 @@
 
 #include <zlib.h>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 
 namespace isoloop {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "volume/header_text.h"
 
 namespace isoloop {

@@ -1,6 +1,6 @@
 #include "volume/write.h"
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "volume/atomic_file.h"
 #include "volume/file_kind.h"
 #include "volume/nrrd.h"

@@ -1,6 +1,6 @@
 #include "volume/xml_tags.h"
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 
 namespace isoloop {
 namespace {

@@ -18,7 +18,7 @@
 #include <phat/persistence_pairs.h>
 #include <phat/representations/default_representations.h>
 
-#include "core/level.h"
+#include "core/grid/level.h"
 #include "volume/read.h"
 
 namespace {

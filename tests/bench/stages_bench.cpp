@@ -7,14 +7,14 @@
 
 #include <benchmark/benchmark.h>
 
-#include "core/analysis.h"
-#include "core/closest.h"
-#include "core/dual_pass.h"
-#include "core/edge_index.h"
-#include "core/geodesic_size.h"
-#include "core/grid_complex.h"
-#include "core/sides.h"
-#include "core/surface.h"
+#include "core/analysis/analysis.h"
+#include "core/complex/grid_complex.h"
+#include "core/cube/sides.h"
+#include "core/engines/dual_pass.h"
+#include "core/sizes/closest.h"
+#include "core/sizes/geodesic_size.h"
+#include "core/surface/edge_index.h"
+#include "core/surface/surface.h"
 #include "volume/shapes.h"
 
 namespace isoloop {

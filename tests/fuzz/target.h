@@ -1,5 +1,5 @@
 // What every fuzz target does: read the bytes as one format and expect an answer or an error of
-// core/errors.h. A target is one file that names the format.
+// core/base/errors.h. A target is one file that names the format.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 #include <unistd.h>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "volume/crop.h"
 
 namespace isoloop::fuzz {

@@ -1,0 +1,279 @@
+#include "core/analysis/analysis.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/base/errors.h"
+#include "core/base/run_both.h"
+#include "core/base/stage.h"
+#include "core/base/threads.h"
+#include "core/complex/grid_complex.h"
+#include "core/cube/sides.h"
+#include "core/engines/dual_pass.h"
+#include "core/engines/spanning_forest.h"
+#include "core/loops/certificate.h"
+#include "core/loops/killing_border.h"
+#include "core/loops/pair_loops.h"
+#include "core/sizes/closest.h"
+#include "core/surface/edge_index.h"
+#include "core/tighten/shortest_basis.h"
+#include "core/tighten/straighten.h"
+
+namespace isoloop {
+namespace {
+
+/// Times the stages, tells of each as it starts, and names it where it finds no memory.
+class StageClock {
+ public:
+  explicit StageClock(const Progress& progress) : progress_(progress) {}
+
+  template <class Work>
+  auto run(const char* stage, double share_done, double& seconds, const Work& work) {
+    if (progress_) progress_(stage, share_done);
+    const auto start = std::chrono::steady_clock::now();
+    auto result = in_stage(stage, work);
+    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result;
+  }
+
+ private:
+  const Progress& progress_;
+};
+
+/// What depends on the sides of the voxels alone, and M.
+struct Cut {
+  std::unique_ptr<const Sides> sides;
+  std::unique_ptr<const EdgeIndex> edges;
+  Surface surface;
+};
+
+Cut cut_volume(const AnyGridView& grid, const IsoLevel& level, const AnalysisOptions& options,
+               bool with_graph) {
+  Cut cut;
+  cut.sides = std::make_unique<Sides>(classify(grid, level, options.boundary, options.max_bytes));
+  cut.edges = std::make_unique<EdgeIndex>(*cut.sides);
+  const std::uint64_t lattice = cut.sides->lattice.vertex_count();
+  check_memory("surface",
+               with_graph ? surface_bytes(lattice, cut.edges->count())
+                          : bare_surface_bytes(lattice, cut.edges->count()),
+               options.max_bytes);
+  cut.surface = extract_surface(grid, level, *cut.sides, *cut.edges, with_graph);
+  return cut;
+}
+
+/// What the memory has room for. Each of these throws LimitExceeded, naming the stage, if not for
+/// the least.
+class Room {
+ public:
+  Room(const Lattice& lattice, std::uint64_t vertices, std::uint64_t limit)
+      : lattice_(lattice.vertex_count()),
+        layers_(lattice.dims[2] + 1),
+        vertices_(vertices),
+        limit_(limit) {}
+
+  void check_closest() const {
+    check_memory("closest", closest_bytes(lattice_, vertices_), limit_);
+  }
+
+  /// Threads at a time.
+  int size_searches() const {
+    return threads_within("sizes", sizes_bytes(lattice_, vertices_), size_search_bytes(vertices_),
+                          limit_, thread_count());
+  }
+  int loop_searches(std::uint64_t sizes) const {
+    return threads_within("loops", loops_bytes(lattice_, vertices_, sizes),
+                          loop_search_bytes(vertices_), limit_, thread_count());
+  }
+
+  struct Passes {
+    int threads = 1;
+    bool both_sides_at_once = false;
+  };
+  Passes passes(std::uint64_t sizes) const {
+    const auto needed = [&](std::size_t threads, std::uint64_t sides) {
+      return pass_bytes(lattice_, vertices_, sizes, sides) + slab_bytes(lattice_, layers_, threads);
+    };
+    std::size_t threads = thread_count();
+    while (threads > 1 && needed(threads, 1) > limit_) --threads;
+    check_memory("pass", needed(threads, 1), limit_);
+    return {static_cast<int>(threads), needed(threads, 2) <= limit_};
+  }
+
+ private:
+  std::uint64_t lattice_;   // vertices
+  std::uint32_t layers_;    // of pieces
+  std::uint64_t vertices_;  // of M
+  std::uint64_t limit_;     // bytes
+};
+
+/// Runs the dual pass on both sides; `at_once`: at a time, which takes the memory of two.
+void run_passes(const Surface& surface, Workings& workings, bool at_once) {
+  const auto solve = [](WorkedSide& side, const char* name) {
+    side.pass = dual_pass(*side.complex);
+    if (!labels_are_consistent(*side.complex, side.pass))
+      throw SelfCheckFailed(std::string("the labels ") + name +
+                            " do not sum to zero round an edge");
+  };
+  const auto solve_inside = [&] { solve(workings.inside, "inside"); };
+  const auto solve_outside = [&] { solve(workings.outside, "outside"); };
+  if (at_once) {
+    run_both(solve_inside, solve_outside);
+  } else {
+    solve_inside();
+    solve_outside();
+  }
+  const auto in = static_cast<std::int64_t>(workings.inside.pass.killing.size());
+  const auto out = static_cast<std::int64_t>(workings.outside.pass.killing.size());
+  if (in + out != surface.betti1() || (surface.boundary == Boundary::closed && in != out))
+    throw SelfCheckFailed("the surface has " + std::to_string(surface.betti1()) +
+                          " independent loops, but " + std::to_string(in) +
+                          " generators survive inside and " + std::to_string(out) + " outside");
+}
+
+/// Both engines ran under the same total order, so they must name the same killing pieces.
+void check_engines_agree(const std::vector<SurfacePair>& pairs, const Workings& workings) {
+  for (const Side side : {Side::inside, Side::outside}) {
+    const DualPass& pass = workings.on(side).pass;
+    std::vector<std::uint32_t> of_pair;
+    for (const SurfacePair& pair : pairs)
+      if (pair.side == side) of_pair.push_back(pair.piece);
+    const auto same_piece = [](std::uint32_t piece, const KillingPiece& killing) {
+      return piece == killing.piece;
+    };
+    if (!std::equal(of_pair.begin(), of_pair.end(), pass.killing.begin(), pass.killing.end(),
+                    same_piece))
+      throw SelfCheckFailed("PAIR and the dual pass find different killing pieces");
+  }
+}
+
+void find_borders(const Surface& surface, const SurfaceClasses& classes, WorkedSide& side) {
+  side.borders = killing_borders(*side.complex, side.pass);
+  const Side seen_from = side_of(kind_on(surface.boundary, side.complex->side()));
+  side.border_classes = border_classes(surface, classes, seen_from, side.borders);
+}
+
+SolvedSide solved(const WorkedSide& side) {
+  return {*side.complex, side.pass, side.borders, side.border_classes};
+}
+
+std::uint64_t count_volume_triangles(const Sides& sides, const EdgeIndex& edges) {
+  const EdgeSizes no_sizes;  // counting asks for none
+  return fan_triangle_count(GridComplex(sides, edges, no_sizes, Side::inside)) +
+         fan_triangle_count(GridComplex(sides, edges, no_sizes, Side::outside));
+}
+
+/// The loops of both sides, certified and tightened as the options say.
+std::vector<Loop> proved_loops(const Workings& workings, const AnalysisOptions& options,
+                               std::span<const std::uint32_t> closest, Analysis& analysis) {
+  const Surface& surface = analysis.surface;
+  const SurfaceClasses& classes = workings.classes;
+  const bool open = surface.boundary == Boundary::open;
+  std::vector<Loop> loops;
+  if (options.engine == Engine::pair) {
+    loops = loops_of_pairs(surface, analysis.pairs);
+  } else {
+    loops = loops_of_side(surface, classes, solved(workings.inside), closest);
+    std::vector<Loop> tunnels = loops_of_side(surface, classes, solved(workings.outside), closest);
+    if (open) {
+      loops = merged_by_size(std::move(loops), std::move(tunnels));
+    } else {
+      std::move(tunnels.begin(), tunnels.end(), std::back_inserter(loops));
+    }
+  }
+  certify(surface, classes, loops);
+  if (options.tighten != Tighten::none && !open) {
+    const SideLoops handles{{loops.data(), loops.size() / 2}, workings.inside.border_classes};
+    const SideLoops tunnels{{loops.data() + loops.size() / 2, loops.size() / 2},
+                            workings.outside.border_classes};
+    analysis.least_handle_length = shorten_basis(surface, classes, handles, tunnels);
+    analysis.least_tunnel_length = shorten_basis(surface, classes, tunnels, handles);
+    certify(surface, classes, loops);
+    if (options.tighten == Tighten::curve) straighten_loops(surface, classes, loops);
+  }
+  check_measures(loops);
+  return loops;
+}
+
+}  // namespace
+
+Analysis count_topology(const AnyGridView& grid, const IsoLevel& level,
+                        const AnalysisOptions& options) {
+  StageClock clock(options.progress);
+  Analysis analysis;
+  analysis.surface = clock.run("surface", 0.0, analysis.seconds.surface,
+                               [&] { return cut_volume(grid, level, options, false).surface; });
+  analysis.betti = betti_numbers(analysis.surface);
+  return analysis;
+}
+
+Analysis find_loops(const AnyGridView& grid, const IsoLevel& level,
+                    const AnalysisOptions& options) {
+  return work_out_loops(grid, level, options).analysis;
+}
+
+Workings work_out_loops(const AnyGridView& grid, const IsoLevel& level,
+                        const AnalysisOptions& options) {
+  StageClock clock(options.progress);
+  Workings workings;
+  Analysis& analysis = workings.analysis;
+  StageSeconds& seconds = analysis.seconds;
+  analysis.surface = clock.run("surface", 0.0, seconds.surface, [&] {
+    Cut cut = cut_volume(grid, level, options, true);
+    workings.sides = std::move(cut.sides);
+    workings.edges = std::move(cut.edges);
+    return std::move(cut.surface);
+  });
+  const Sides& sides = *workings.sides;
+  const EdgeIndex& edges = *workings.edges;
+  const Surface& surface = analysis.surface;
+  analysis.betti = betti_numbers(surface);
+  if (options.count_volume_triangles && !sides.empty())
+    analysis.volume_triangles = count_volume_triangles(sides, edges);
+  if (surface.betti1() == 0) return workings;
+  const Room room(sides.lattice, surface.points.size(), options.max_bytes);
+  room.check_closest();
+  const UnsetVector<std::uint32_t> closest = clock.run("closest", 0.05, seconds.closest, [&] {
+    return closest_surface_vertices(sides, edges, surface);
+  });
+  const int size_searches = room.size_searches();
+  workings.sizes = clock.run("sizes", 0.1, seconds.sizes, [&] {
+    return with_threads(size_searches, [&] {
+      return std::make_unique<EdgeSizes>(
+          geodesic_sizes(sides, edges, surface, closest, options.geodesic));
+    });
+  });
+  const Room::Passes passes = room.passes(workings.sizes->by_edge.bytes());
+  const int loop_searches = room.loop_searches(workings.sizes->by_edge.bytes());
+  for (const Side side : {Side::inside, Side::outside})
+    (side == Side::inside ? workings.inside : workings.outside).complex =
+        std::make_unique<GridComplex>(sides, edges, *workings.sizes, side);
+  const GridComplex& inside = *workings.inside.complex;
+  const GridComplex& outside = *workings.outside.complex;
+  clock.run("pass", 0.5, seconds.pass, [&] {
+    with_threads(passes.threads, [&] { run_passes(surface, workings, passes.both_sides_at_once); });
+    return true;
+  });
+  if (options.engine == Engine::pair)
+    analysis.pairs = clock.run("pair", 0.7, seconds.pair, [&] {
+      std::vector<SurfacePair> pairs = pair_simplices(surface, inside, outside, options.pair);
+      if (orders_by_size(options.pair.refinement)) check_engines_agree(pairs, workings);
+      return pairs;
+    });
+  analysis.loops = clock.run("loops", 0.8, seconds.loops, [&] {
+    workings.classes = surface.boundary == Boundary::open
+                           ? surface_classes(surface)
+                           : surface_classes(surface, inside, workings.inside.pass, outside,
+                                             workings.outside.pass);
+    find_borders(surface, workings.classes, workings.inside);
+    find_borders(surface, workings.classes, workings.outside);
+    return with_threads(loop_searches,
+                        [&] { return proved_loops(workings, options, closest, analysis); });
+  });
+  return workings;
+}
+
+}  // namespace isoloop

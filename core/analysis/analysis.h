@@ -1,0 +1,108 @@
+// The whole pipeline: volume -> M -> closest vertices -> sizes -> order -> labels -> loops.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/base/memory_budget.h"
+#include "core/base/progress.h"
+#include "core/complex/grid_complex.h"
+#include "core/cube/sides.h"
+#include "core/engines/dual_pass.h"
+#include "core/engines/pair.h"
+#include "core/grid/grid.h"
+#include "core/loops/certificate.h"
+#include "core/loops/killing_border.h"
+#include "core/loops/loops.h"
+#include "core/sizes/geodesic_size.h"
+#include "core/surface/betti.h"
+#include "core/surface/edge_index.h"
+#include "core/surface/surface.h"
+#include "core/z2/z2_basis.h"
+
+namespace isoloop {
+
+/// dual: the dual pass and a search for short loops. pair: the paper's PAIR and HANTUN, which take
+/// the killed cycles as they are; the dual pass runs too: its classes certify the loops, and under
+/// the order by size its killing pieces must be those of PAIR.
+enum class Engine { dual, pair };
+
+/// none: the loops as they were found. basis: exchanged for shorter ones, as a whole (see
+/// shorten_basis). curve: then drawn across M's triangles too (see straighten_loops).
+enum class Tighten { none, basis, curve };
+
+struct AnalysisOptions {
+  Boundary boundary = Boundary::closed;
+  GeodesicMode geodesic = GeodesicMode::hierarchy;
+  Engine engine = Engine::dual;
+  Tighten tighten = Tighten::basis;           // not read with an open boundary
+  PairOptions pair{};                         // read by the engine `pair` alone
+  bool count_volume_triangles = false;        // fills Analysis::volume_triangles
+  Progress progress{};                        // may be empty
+  std::uint64_t max_bytes = unlimited_bytes;  // to hold beside the grid's voxels
+};
+
+/// Wall-clock seconds of each stage.
+struct StageSeconds {
+  double surface = 0.0;
+  double closest = 0.0;
+  double sizes = 0.0;
+  double pass = 0.0;
+  double pair = 0.0;  // of the engine `pair` alone
+  double loops = 0.0;
+};
+
+struct Analysis {
+  Surface surface;
+  Betti betti;
+  std::vector<Loop> loops;         // by kind, then by size; every one certified
+  std::vector<SurfacePair> pairs;  // engine `pair`: what pair_simplices() returns
+  /// No basis of the handle loops, or of the tunnel loops, has a smaller total length along edges
+  /// of M; 0 where nothing is known. Unit of the spacing.
+  double least_handle_length = 0.0;
+  double least_tunnel_length = 0.0;
+  std::uint64_t volume_triangles = 0;  // of K off M, both sides; 0 unless asked for
+  StageSeconds seconds;
+};
+
+/// One side of M with its labels, the borders of the surfaces that these span, and the borders'
+/// classes, which say what each loop closes.
+struct WorkedSide {
+  std::unique_ptr<GridComplex> complex;
+  DualPass pass;
+  KillingBorders borders;
+  Z2Basis border_classes;
+};
+
+/// An analysis and all that it was made with, for what goes on from the loops. Where M has no loops
+/// there are no complexes. Sides, edges and sizes stay where they are: the complexes refer to them.
+struct Workings {
+  std::unique_ptr<const Sides> sides;
+  std::unique_ptr<const EdgeIndex> edges;
+  std::unique_ptr<const EdgeSizes> sizes;
+  WorkedSide inside;
+  WorkedSide outside;
+  SurfaceClasses classes;
+  Analysis analysis;
+
+  const WorkedSide& on(Side side) const { return side == Side::inside ? inside : outside; }
+};
+
+/// Both throw LimitExceeded before a stage that would take more than options.max_bytes.
+
+/// The surface and the counts alone: no sizes, no loops (`seconds` past surface stay 0).
+Analysis count_topology(const AnyGridView& grid, const IsoLevel& level,
+                        const AnalysisOptions& options = {});
+
+/// Finds and proves every handle loop and tunnel loop of the iso-surface. Deterministic: the same
+/// bytes for any number of threads. Throws InvalidInput (NaN in the grid), LimitExceeded,
+/// and SelfCheckFailed if any proof fails: no unproved loop is ever returned.
+Analysis find_loops(const AnyGridView& grid, const IsoLevel& level,
+                    const AnalysisOptions& options = {});
+
+/// The same, with its workings.
+Workings work_out_loops(const AnyGridView& grid, const IsoLevel& level,
+                        const AnalysisOptions& options = {});
+
+}  // namespace isoloop

@@ -1,0 +1,76 @@
+#include "core/base/memory_budget.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/errors.h"
+
+namespace isoloop {
+
+std::string bytes_text(std::uint64_t bytes) {
+  constexpr std::array<const char*, 5> units{"bytes", "KiB", "MiB", "GiB", "TiB"};
+  double amount = static_cast<double>(bytes);
+  std::size_t unit = 0;
+  for (; amount >= 1024.0 && unit + 1 < units.size(); ++unit) amount /= 1024.0;
+  if (unit == 0) return std::to_string(bytes) + (bytes == 1 ? " byte" : " bytes");
+  const auto tenths = std::llround(10.0 * amount);
+  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " " + units[unit];
+}
+
+void check_memory(const char* stage, std::uint64_t needed, std::uint64_t limit) {
+  if (needed <= limit) return;
+  throw LimitExceeded(std::string("the stage '") + stage + "' needs " + bytes_text(needed) +
+                      " beside the volume, and the limit leaves " + bytes_text(limit) +
+                      "; raise --max-memory or crop the volume");
+}
+
+int threads_within(const char* stage, std::uint64_t shared, std::uint64_t each, std::uint64_t limit,
+                   std::size_t threads) {
+  check_memory(stage, shared + each, limit);
+  return static_cast<int>(std::min<std::uint64_t>(threads, (limit - shared) / each));
+}
+
+// Held from stage to stage: 2.5 bytes a lattice vertex for the sides, 4 for the closest vertices,
+// 12.5 for the sizes at most; about 110 a surface vertex for M and its graph. The trees of a pass
+// and their open pieces take 6 a lattice vertex and side. What the pass gives back, the searches
+// for loops seldom can use.
+
+std::uint64_t surface_bytes(std::uint64_t lattice, std::uint64_t surface) {
+  return 5 * lattice / 2 + 170 * surface;
+}
+
+std::uint64_t bare_surface_bytes(std::uint64_t lattice, std::uint64_t surface) {
+  return 5 * lattice / 2 + 75 * surface;
+}
+
+std::uint64_t closest_bytes(std::uint64_t lattice, std::uint64_t surface) {
+  return 37 * lattice / 2 + 110 * surface;  // two fields of 8
+}
+
+std::uint64_t sizes_bytes(std::uint64_t lattice, std::uint64_t surface) {
+  return 19 * lattice + 192 * surface;
+}
+
+std::uint64_t pass_bytes(std::uint64_t lattice, std::uint64_t surface, std::uint64_t sizes,
+                         std::uint64_t sides_at_once) {
+  return (13 + 12 * sides_at_once) * lattice / 2 + 130 * surface + sizes;
+}
+
+std::uint64_t loops_bytes(std::uint64_t lattice, std::uint64_t surface, std::uint64_t sizes) {
+  return 17 * lattice + 174 * surface + sizes;
+}
+
+std::uint64_t held_bytes(std::uint64_t lattice, std::uint64_t surface, std::uint64_t sizes) {
+  return 5 * lattice / 2 + 200 * surface + sizes;
+}
+
+std::uint64_t remaining_bytes(std::uint64_t limit, std::uint64_t held) {
+  return limit == unlimited_bytes ? limit : limit - std::min(limit, held);
+}
+
+std::uint64_t size_search_bytes(std::uint64_t surface) { return 8 * surface; }
+
+std::uint64_t loop_search_bytes(std::uint64_t surface) { return 56 * surface; }
+
+}  // namespace isoloop

@@ -1,0 +1,30 @@
+// Stages of the work, so that what goes wrong in one is told with its name.
+#pragma once
+
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#include "core/base/errors.h"
+
+namespace isoloop {
+
+/// Returns work(). Throws LimitExceeded, naming the stage, where an allocation fails.
+template <class Work>
+auto in_stage(const char* stage, const Work& work) -> decltype(work()) {
+  const auto fail = [&]() -> LimitExceeded {
+    return LimitExceeded(
+        std::string("the stage '") + stage +
+        "' asks for more memory than there is, or than the limit allows; a part of "
+        "the volume, or one of half the resolution, takes less");
+  };
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    throw fail();
+  } catch (const std::length_error&) {
+    throw fail();
+  }
+}
+
+}  // namespace isoloop

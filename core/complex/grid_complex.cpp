@@ -1,0 +1,311 @@
+#include "core/complex/grid_complex.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include <tbb/parallel_for.h>
+
+#include "core/surface/surface.h"
+
+namespace isoloop {
+namespace {
+
+std::uint32_t position_in(const std::vector<std::uint32_t>& sorted, std::uint32_t value) {
+  return static_cast<std::uint32_t>(std::lower_bound(sorted.begin(), sorted.end(), value) -
+                                    sorted.begin());
+}
+
+/// Whether face number `face` has its far corner within the box.
+bool face_exists(const Lattice& lattice, const std::array<std::uint32_t, 3>& p, int axis) {
+  const auto [b, c] = cross_axes(axis);
+  return p[b] + 1 < lattice.dims[b] && p[c] + 1 < lattice.dims[c];
+}
+
+std::uint32_t corner_of(const Lattice& lattice, std::uint32_t cube, int corner) {
+  for (int a = 0; a < 3; ++a) cube += (corner >> a & 1) * lattice.stride[a];
+  return cube;
+}
+
+/// The cubes round an edge, by lowest corner, in the order of GridComplex::face_pieces().
+std::array<std::uint32_t, 4> cubes_round(const Lattice& lattice, std::uint32_t edge) {
+  const std::uint32_t v = edge / 3;
+  const auto [b, c] = cross_axes(static_cast<int>(edge % 3));
+  const std::uint32_t db = lattice.stride[b];
+  const std::uint32_t dc = lattice.stride[c];
+  return {v, v - db, v - db - dc, v - dc};
+}
+
+/// Collects, in ascending order, what visit(vertex, position, sink) emits for every vertex.
+template <class Visit>
+std::vector<std::uint32_t> gather(const Lattice& lattice, const Visit& visit) {
+  std::vector<std::vector<std::uint32_t>> layers(lattice.dims[2]);
+  tbb::parallel_for(std::uint32_t{0}, lattice.dims[2], [&](std::uint32_t z) {
+    std::uint32_t v = lattice.vertex(0, 0, z);
+    for (std::uint32_t y = 0; y < lattice.dims[1]; ++y)
+      for (std::uint32_t x = 0; x < lattice.dims[0]; ++x, ++v)
+        visit(v, std::array<std::uint32_t, 3>{x, y, z}, layers[z]);
+  });
+  std::size_t total = 0;
+  for (const auto& layer : layers) total += layer.size();
+  std::vector<std::uint32_t> all;
+  all.reserve(total);
+  for (auto& layer : layers) {
+    all.insert(all.end(), layer.begin(), layer.end());
+    layer = std::vector<std::uint32_t>();
+  }
+  return all;
+}
+
+}  // namespace
+
+GridComplex::GridComplex(const Sides& sides, const EdgeIndex& edges, const EdgeSizes& sizes,
+                         Side side)
+    : sides_(sides),
+      edges_(edges),
+      sizes_(sizes),
+      side_(side),
+      many_cells_(side == Side::inside ? Sides::many_inside_cells : Sides::many_outside_cells) {
+  const Lattice& lattice = sides.lattice;
+  split_faces_ = gather(lattice, [&](std::uint32_t v, const auto& p, auto& found) {
+    for (int a = 0; a < 3; ++a) {
+      const std::uint32_t face = 3 * v + static_cast<std::uint32_t>(a);
+      if ((sides.cubes[v] & Sides::has_ambiguous_face) != 0 && face_exists(lattice, p, a) &&
+          is_split(face, corners_on_side(face)))
+        found.push_back(face);
+    }
+  });
+  many_celled_ = gather(lattice, [&](std::uint32_t v, const auto&, auto& found) {
+    if ((sides.cubes[v] & many_cells_) != 0) found.push_back(v);
+  });
+  for (const std::uint32_t cube : many_celled_) {
+    first_extra_cell_.push_back(extra_cells_);
+    extra_cells_ += cut_at(sides, cube).cell_count[static_cast<int>(side)] - 1U;
+  }
+  build_walls();
+}
+
+void GridComplex::build_walls() {
+  first_wall_ = edge_bound() + static_cast<std::uint32_t>(split_faces_.size());
+  for (std::uint32_t t = 0; t < sides_.tunnels.size(); ++t) {
+    const Sides::Tunnel& tunnel = sides_.tunnels[t];
+    if (joined_side(sides_, tunnel) == side_) continue;
+    for (const std::uint8_t edge : cut_at(sides_, tunnel).wall.edges)
+      wall_edges_.push_back({lattice_edge(sides_.lattice, tunnel.cube, edge), tunnel.cube,
+                             first_wall_ + static_cast<std::uint32_t>(walls_.size())});
+    walls_.push_back(t);
+  }
+  if (walls_.empty()) return;
+  std::sort(wall_edges_.begin(), wall_edges_.end(), [](const WallEdge& a, const WallEdge& b) {
+    return std::tie(a.edge, a.cube) < std::tie(b.edge, b.cube);
+  });
+  has_wall_edge_.resize(sides_.lattice.vertex_count());
+  for (const WallEdge& on_wall : wall_edges_) has_wall_edge_[on_wall.edge / 3] = true;
+}
+
+std::uint32_t GridComplex::piece_bound() const {
+  return first_wall_ + static_cast<std::uint32_t>(walls_.size());
+}
+
+std::uint32_t GridComplex::cell_bound() const {
+  return sides_.lattice.vertex_count() + extra_cells_ + 1;
+}
+
+std::vector<std::uint32_t> GridComplex::pieces() const {
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t layer = 0; layer < layer_count(); ++layer)
+    for_each_piece(layer, [&](std::uint32_t piece) { all.push_back(piece); });
+  return all;
+}
+
+std::vector<std::uint32_t> GridComplex::edges() const {
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t layer = 0; layer < layer_count(); ++layer)
+    for_each_edge(layer, [&](std::uint32_t edge) { all.push_back(edge); });
+  return all;
+}
+
+bool GridComplex::is_split(std::uint32_t face, unsigned on_side) const {
+  if (!is_ambiguous(on_side)) return false;
+  const bool joined = (sides_.cubes[face / 3] >> (face % 3) & Sides::lower_face_joined) != 0;
+  return joined != (side_ == Side::inside);
+}
+
+GridComplex::Piece GridComplex::describe(std::uint32_t piece) const {
+  const bool second = piece >= edge_bound();
+  const std::uint32_t face = second ? split_faces_[piece - edge_bound()] : piece;
+  const unsigned on_side = corners_on_side(face);
+  if (!is_split(face, on_side)) return {face, on_side, on_side};
+  const unsigned lowest = on_side & (~on_side + 1U);
+  return {face, second ? on_side ^ lowest : lowest, on_side};
+}
+
+std::uint32_t GridComplex::piece_at(std::uint32_t face, std::uint32_t corner) const {
+  if ((sides_.cubes[face / 3] & Sides::has_ambiguous_face) == 0) return face;
+  const unsigned on_side = corners_on_side(face);
+  if (!is_split(face, on_side)) return face;
+  const auto corners = face_corners(face);
+  const unsigned at = 1U << (std::find(corners.begin(), corners.end(), corner) - corners.begin());
+  if ((on_side & (~on_side + 1U)) == at) return face;
+  return edge_bound() + position_in(split_faces_, face);
+}
+
+std::uint32_t GridComplex::cell_at(std::uint32_t cube, std::uint32_t corner) const {
+  if ((sides_.cubes[cube] & many_cells_) == 0) return cube;
+  unsigned c = 0;
+  std::uint32_t rest = corner - cube;
+  for (int a = 2; a >= 0; --a)
+    if (rest >= sides_.lattice.stride[a]) {
+      rest -= sides_.lattice.stride[a];
+      c |= 1U << a;
+    }
+  const unsigned number = cut_at(sides_, cube).cell_of_corner[c];
+  if (number == 0) return cube;
+  return sides_.lattice.vertex_count() + first_extra_cell_[position_in(many_celled_, cube)] +
+         number - 1;
+}
+
+float GridComplex::size_near_surface(std::uint32_t piece) const {
+  float largest = 0.0F;
+  for (const std::uint32_t edge : edges_of(piece)) largest = std::max(largest, edge_size(edge));
+  return largest;
+}
+
+float GridComplex::edge_size(std::uint32_t edge) const {
+  return side_ == Side::outside && edges_.is_cut(edge)
+             ? sizes_.of_outside_half[edges_.vertex_on(edge)]
+             : sizes_.by_edge[edge];
+}
+
+std::array<std::uint32_t, 2> GridComplex::cells_near_surface(std::uint32_t piece) const {
+  if (is_wall(piece)) {
+    const std::uint32_t cell = cell_at(tunnel_of(piece).cube, corners(piece)[0]);
+    return {cell, cell};
+  }
+  const Piece p = describe(piece);
+  const auto face_corner = face_corners(p.face);
+  unsigned i = 0;
+  while ((p.ring >> i & 1U) == 0) ++i;
+  const std::uint32_t v = p.face / 3;
+  const std::uint32_t axis = p.face % 3;
+  const std::uint32_t below = v - sides_.lattice.stride[axis];
+  if (!on_border(v)) return {cell_at(below, face_corner[i]), cell_at(v, face_corner[i])};
+  const std::uint32_t beyond = cell_bound() - 1;
+  const std::uint32_t at = sides_.lattice.position(v)[axis];
+  return {at == 0 ? beyond : cell_at(below, face_corner[i]),
+          at + 1 == sides_.lattice.dims[axis] ? beyond : cell_at(v, face_corner[i])};
+}
+
+ShortList<std::uint32_t, 4> GridComplex::edges_near_surface(std::uint32_t piece) const {
+  ShortList<std::uint32_t, 4> list;
+  if (is_wall(piece)) {
+    const Sides::Tunnel& tunnel = tunnel_of(piece);
+    for (const std::uint8_t edge : cut_at(sides_, tunnel).wall.edges)
+      list.push_back(lattice_edge(sides_.lattice, tunnel.cube, edge));
+    return list;
+  }
+  const Piece p = describe(piece);
+  const auto around = face_edges(p.face);
+  for (unsigned i = 0; i < 4; ++i)
+    if ((p.ring >> i & 1U) != 0 || (p.ring >> ((i + 1) & 3U) & 1U) != 0) list.push_back(around[i]);
+  return list;
+}
+
+std::array<std::uint32_t, 4> GridComplex::face_pieces(std::uint32_t edge) const {
+  const std::uint32_t v = edge / 3;
+  const int a = static_cast<int>(edge % 3);
+  const auto [b, c] = cross_axes(a);
+  const Lattice& lattice = sides_.lattice;
+  const std::uint32_t corner = sides_.is_on(side_, v) ? v : v + lattice.stride[a];
+  const auto ub = static_cast<std::uint32_t>(b);
+  const auto uc = static_cast<std::uint32_t>(c);
+  std::array<bool, 4> there{true, true, true, true};
+  if (on_border(v)) {
+    const auto p = lattice.position(v);
+    there = {p[b] + 1 < lattice.dims[b], p[c] + 1 < lattice.dims[c], p[b] > 0, p[c] > 0};
+  }
+  return {there[0] ? piece_at(3 * v + uc, corner) : none,
+          there[1] ? piece_at(3 * v + ub, corner) : none,
+          there[2] ? piece_at(3 * (v - lattice.stride[b]) + uc, corner) : none,
+          there[3] ? piece_at(3 * (v - lattice.stride[c]) + ub, corner) : none};
+}
+
+std::array<std::uint32_t, 4> GridComplex::walls_at(std::uint32_t edge) const {
+  std::array<std::uint32_t, 4> walls{none, none, none, none};
+  if (has_wall_edge_.empty() || !has_wall_edge_[edge / 3]) return walls;
+  const auto cubes = cubes_round(sides_.lattice, edge);
+  auto at = std::lower_bound(
+      wall_edges_.begin(), wall_edges_.end(), edge,
+      [](const WallEdge& on_wall, std::uint32_t wanted) { return on_wall.edge < wanted; });
+  for (; at != wall_edges_.end() && at->edge == edge; ++at)
+    walls[static_cast<std::size_t>(std::find(cubes.begin(), cubes.end(), at->cube) -
+                                   cubes.begin())] = at->piece;
+  return walls;
+}
+
+ShortList<std::uint32_t, 8> GridComplex::ring_near_surface(std::uint32_t edge) const {
+  const auto pieces = face_pieces(edge);
+  const auto walls = walls_at(edge);
+  ShortList<std::uint32_t, 8> list;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (pieces[i] != none) list.push_back(pieces[i]);
+    if (walls[i] != none) list.push_back(walls[i]);
+  }
+  return list;
+}
+
+GridComplex::CutRing GridComplex::cut_ring(std::uint32_t edge) const {
+  return {face_pieces(edge), cubes_round(sides_.lattice, edge), walls_at(edge)};
+}
+
+std::vector<GridComplex::Beyond> GridComplex::beyond_walls() const {
+  std::vector<Beyond> all;
+  for (std::uint32_t piece = first_wall_; piece < piece_bound(); ++piece) {
+    const Sides::Tunnel& tunnel = tunnel_of(piece);
+    for (const CubeWall::TriangleCorner& at : cut_at(sides_, tunnel).wall.beyond)
+      all.push_back({piece, tunnel.cube, at});
+  }
+  return all;
+}
+
+ShortList<std::array<std::uint32_t, 2>, 2> GridComplex::segments(std::uint32_t piece) const {
+  ShortList<std::array<std::uint32_t, 2>, 2> list;
+  if (is_wall(piece)) {
+    const Sides::Tunnel& tunnel = tunnel_of(piece);
+    const auto& [from, middle, to] = cut_at(sides_, tunnel).wall.on_m;
+    const std::uint32_t on_ring =
+        ring_vertex(edges_, walls_[piece - first_wall_], middle - first_ring_vertex);
+    for (const std::uint8_t end : {from, to})
+      list.push_back({edges_.vertex_on(lattice_edge(sides_.lattice, tunnel.cube, end)), on_ring});
+    return list;
+  }
+  const Piece p = describe(piece);
+  const unsigned inside = side_ == Side::inside ? p.on_side : ~p.on_side & 15U;
+  const bool joined = (sides_.cubes[p.face / 3] >> (p.face % 3) & Sides::lower_face_joined) != 0;
+  const FaceCut cut = face_cut(inside, joined);
+  const auto around = face_edges(p.face);
+  for (int s = 0; s < cut.segment_count; ++s) {
+    const auto [from, to] = cut.segments[s];
+    // The end of a cut edge on this side: the corner that the segment's piece holds.
+    const unsigned corner = (p.on_side >> from & 1U) != 0 ? from : (from + 1U) & 3U;
+    if ((p.ring >> corner & 1U) != 0)
+      list.push_back({edges_.vertex_on(around[from]), edges_.vertex_on(around[to])});
+  }
+  return list;
+}
+
+ShortList<std::uint32_t, 4> GridComplex::corners(std::uint32_t piece) const {
+  ShortList<std::uint32_t, 4> list;
+  if (is_wall(piece)) {
+    const Sides::Tunnel& tunnel = tunnel_of(piece);
+    for (const std::uint8_t corner : cut_at(sides_, tunnel).wall.corners)
+      list.push_back(corner_of(sides_.lattice, tunnel.cube, corner));
+    return list;
+  }
+  const Piece p = describe(piece);
+  const auto corners = face_corners(p.face);
+  for (unsigned i = 0; i < 4; ++i)
+    if ((p.ring >> i & 1U) != 0) list.push_back(corners[i]);
+  return list;
+}
+
+}  // namespace isoloop

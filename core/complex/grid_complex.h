@@ -1,0 +1,268 @@
+// One side of M within the grid, as the complex that the engines read.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/complex/complex.h"
+#include "core/cube/sides.h"
+#include "core/sizes/geodesic_size.h"
+#include "core/surface/edge_index.h"
+
+namespace isoloop {
+
+/// Cells and pieces of one side. Numbers (see Lattice): a face's first piece has the face's number,
+/// its second piece (the part at the later corner, where M separates two) comes after all faces;
+/// then come the walls, the pieces within cubes across the tori that tunnels leave (CubeWall); a
+/// cube's first cell has the cube's number, further cells come after all cubes. One more cell,
+/// last, is all that lies beyond the box on this side; M keeps the inside from it unless the
+/// boundary is open. An interior edge, full or cut, has the number of its grid edge.
+class GridComplex {
+ public:
+  /// Keeps references: all three must outlive it.
+  GridComplex(const Sides& sides, const EdgeIndex& edges, const EdgeSizes& sizes, Side side);
+
+  std::uint32_t piece_bound() const;
+  std::uint32_t cell_bound() const;
+  std::uint32_t edge_bound() const { return 3 * sides_.lattice.vertex_count(); }
+
+  std::vector<std::uint32_t> pieces() const;
+  std::vector<std::uint32_t> edges() const;
+  std::uint32_t layer_count() const { return sides_.lattice.dims[2] + 1; }
+  std::uint32_t first_cell(std::uint32_t layer) const {
+    return std::min(layer, sides_.lattice.dims[2]) * sides_.lattice.stride[2];
+  }
+  template <class Visit>
+  void for_each_piece(std::uint32_t layer, const Visit& visit) const;
+  template <class Visit>
+  void for_each_edge(std::uint32_t layer, const Visit& visit) const;
+  /// Those with lowest corner v, at `position` in the box. Bit a: the face with normal a has a
+  /// piece here; the edge along a is interior; that edge's ring, if it is, is that of the first
+  /// pieces of the faces round it, as many as the box has.
+  unsigned faces_at(std::uint32_t v, const std::array<std::uint32_t, 3>& position) const;
+  unsigned edges_at(std::uint32_t v, const std::array<std::uint32_t, 3>& position) const;
+  unsigned plain_rings_at(std::uint32_t v, const std::array<std::uint32_t, 3>& position) const;
+  float size(std::uint32_t piece) const;
+  float edge_size(std::uint32_t edge) const;  // of an interior edge, or of its half on this side
+  std::array<std::uint32_t, 2> cells(std::uint32_t piece) const;
+  ShortList<std::uint32_t, 4> edges_of(std::uint32_t piece) const;
+  ShortList<std::uint32_t, 8> ring(std::uint32_t edge) const;  // in cyclic order
+
+  /// The four pieces of faces round the half of a cut edge on this side, in cyclic order, and the
+  /// lowest corners of the cubes between them: cube i lies between pieces i and i + 1. A wall that
+  /// ends at the edge within cube i parts it further.
+  struct CutRing {
+    std::array<std::uint32_t, 4> pieces;
+    std::array<std::uint32_t, 4> cubes;
+    std::array<std::uint32_t, 4> walls;  // or none
+  };
+  static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
+  CutRing cut_ring(std::uint32_t edge) const;
+
+  /// Where triangles of M meet a wall at one of its vertices from beyond it: after the wall in the
+  /// order of the cut ring, or in one of the two sectors at a vertex within the cube.
+  struct Beyond {
+    std::uint32_t piece;  // the wall
+    std::uint32_t cube;
+    CubeWall::TriangleCorner at;  // a corner of that triangle among the cube's own
+  };
+  std::vector<Beyond> beyond_walls() const;
+
+  /// The segments of M on the piece's border, as pairs of vertices of M.
+  ShortList<std::array<std::uint32_t, 2>, 2> segments(std::uint32_t piece) const;
+
+  /// The grid vertices at the piece's corners on this side.
+  ShortList<std::uint32_t, 4> corners(std::uint32_t piece) const;
+
+  /// The piece of the face, and the cell of the cube, at a corner on this side.
+  std::uint32_t piece_at(std::uint32_t face, std::uint32_t corner) const;
+  std::uint32_t cell_at(std::uint32_t cube, std::uint32_t corner) const;
+
+  const Lattice& lattice() const { return sides_.lattice; }
+  Side side() const { return side_; }
+
+ private:
+  struct Piece {
+    std::uint32_t face;
+    unsigned ring;     // bit i: corner i of the face's ring belongs to the piece
+    unsigned on_side;  // bit i: corner i lies on this side
+  };
+
+  // The answers where M is near, or the border of the box.
+  float size_near_surface(std::uint32_t piece) const;
+  std::array<std::uint32_t, 2> cells_near_surface(std::uint32_t piece) const;
+  ShortList<std::uint32_t, 4> edges_near_surface(std::uint32_t piece) const;
+  ShortList<std::uint32_t, 8> ring_near_surface(std::uint32_t edge) const;
+
+  bool has_next(const std::array<std::uint32_t, 3>& position, std::uint32_t axis) const {
+    return position[axis] + 1 < sides_.lattice.dims[axis];
+  }
+  bool on_border(std::uint32_t vertex) const {
+    return (sides_.cubes[vertex] & Sides::on_border) != 0;
+  }
+
+  struct WallEdge {
+    std::uint32_t edge;
+    std::uint32_t cube;
+    std::uint32_t piece;
+  };
+
+  void build_walls();
+  bool is_wall(std::uint32_t piece) const { return piece >= first_wall_; }
+  const Sides::Tunnel& tunnel_of(std::uint32_t wall) const {
+    return sides_.tunnels[walls_[wall - first_wall_]];
+  }
+  bool has_wall_edge(std::uint32_t vertex) const {
+    return !has_wall_edge_.empty() && has_wall_edge_[vertex];
+  }
+  std::array<std::uint32_t, 4> face_pieces(std::uint32_t edge) const;
+  std::array<std::uint32_t, 4> walls_at(std::uint32_t edge) const;
+  std::array<std::uint32_t, 4> face_corners(std::uint32_t face) const;
+  std::array<std::uint32_t, 4> face_edges(std::uint32_t face) const;
+  unsigned corners_on_side(std::uint32_t face) const;
+  bool is_split(std::uint32_t face, unsigned on_side) const;
+  Piece describe(std::uint32_t piece) const;
+
+  const Sides& sides_;
+  const EdgeIndex& edges_;
+  const EdgeSizes& sizes_;
+  Side side_;
+  std::uint8_t many_cells_;                      // the flag of cubes with more than one cell here
+  std::vector<std::uint32_t> split_faces_;       // with two pieces here; ascending
+  std::vector<std::uint32_t> many_celled_;       // cubes with more than one cell here; ascending
+  std::vector<std::uint32_t> first_extra_cell_;  // of each of them, after all cubes
+  std::uint32_t extra_cells_ = 0;
+  std::uint32_t first_wall_ = 0;      // piece number
+  std::vector<std::uint32_t> walls_;  // numbers in Sides::tunnels, ascending
+  std::vector<WallEdge> wall_edges_;  // on the walls' borders; ascending by edge, then cube
+  std::vector<bool> has_wall_edge_;   // by lowest vertex of the edge; empty without walls
+};
+
+inline std::array<std::uint32_t, 4> GridComplex::face_corners(std::uint32_t face) const {
+  const std::uint32_t v = face / 3;
+  const auto [b, c] = cross_axes(static_cast<int>(face % 3));
+  const std::uint32_t db = sides_.lattice.stride[b];
+  const std::uint32_t dc = sides_.lattice.stride[c];
+  return {v, v + db, v + db + dc, v + dc};
+}
+
+/// Edge i joins corners i and i + 1.
+inline std::array<std::uint32_t, 4> GridComplex::face_edges(std::uint32_t face) const {
+  const std::uint32_t v = face / 3;
+  const auto [b, c] = cross_axes(static_cast<int>(face % 3));
+  const auto ub = static_cast<std::uint32_t>(b);
+  const auto uc = static_cast<std::uint32_t>(c);
+  return {3 * v + ub, 3 * (v + sides_.lattice.stride[b]) + uc,
+          3 * (v + sides_.lattice.stride[c]) + ub, 3 * v + uc};
+}
+
+inline unsigned GridComplex::corners_on_side(std::uint32_t face) const {
+  const auto corners = face_corners(face);
+  unsigned bits = 0;
+  for (unsigned i = 0; i < 4; ++i) bits |= unsigned{sides_.inside[corners[i]]} << i;
+  return side_ == Side::inside ? bits : ~bits & 15U;
+}
+
+inline unsigned GridComplex::faces_at(std::uint32_t v,
+                                      const std::array<std::uint32_t, 3>& position) const {
+  unsigned faces = 0;
+  for (std::uint32_t a = 0; a < 3; ++a)
+    if (has_next(position, (a + 1) % 3) && has_next(position, (a + 2) % 3) &&
+        corners_on_side(3 * v + a) != 0)
+      faces |= 1U << a;
+  return faces;
+}
+
+inline unsigned GridComplex::edges_at(std::uint32_t v,
+                                      const std::array<std::uint32_t, 3>& position) const {
+  unsigned edges = 0;
+  for (std::uint32_t a = 0; a < 3; ++a)
+    if (has_next(position, a) &&
+        (sides_.is_on(side_, v) || sides_.is_on(side_, v + sides_.lattice.stride[a])))
+      edges |= 1U << a;
+  return edges;
+}
+
+inline unsigned GridComplex::plain_rings_at(std::uint32_t v,
+                                            const std::array<std::uint32_t, 3>& position) const {
+  if (has_wall_edge(v) || (sides_.cubes[v] & Sides::has_ambiguous_face) != 0) return 0;
+  unsigned beside = 0;  // bit a: the neighbour before v along a has an ambiguous face
+  for (std::uint32_t a = 0; a < 3; ++a)
+    if (position[a] > 0 &&
+        (sides_.cubes[v - sides_.lattice.stride[a]] & Sides::has_ambiguous_face) != 0)
+      beside |= 1U << a;
+  unsigned plain = 0;
+  for (unsigned a = 0; a < 3; ++a)
+    if ((beside & ~(1U << a)) == 0) plain |= 1U << a;
+  return plain;
+}
+
+template <class Visit>
+void GridComplex::for_each_piece(std::uint32_t layer, const Visit& visit) const {
+  const auto& [nx, ny, nz] = sides_.lattice.dims;
+  if (layer == nz) {
+    for (std::uint32_t piece = edge_bound(); piece < piece_bound(); ++piece) visit(piece);
+    return;
+  }
+  std::uint32_t v = sides_.lattice.vertex(0, 0, layer);
+  for (std::uint32_t y = 0; y < ny; ++y)
+    for (std::uint32_t x = 0; x < nx; ++x, ++v) {
+      const unsigned faces = faces_at(v, {x, y, layer});
+      for (std::uint32_t a = 0; a < 3; ++a)
+        if ((faces >> a & 1U) != 0) visit(3 * v + a);
+    }
+}
+
+template <class Visit>
+void GridComplex::for_each_edge(std::uint32_t layer, const Visit& visit) const {
+  const auto& [nx, ny, nz] = sides_.lattice.dims;
+  if (layer == nz) return;
+  std::uint32_t v = sides_.lattice.vertex(0, 0, layer);
+  for (std::uint32_t y = 0; y < ny; ++y)
+    for (std::uint32_t x = 0; x < nx; ++x, ++v) {
+      const unsigned edges = edges_at(v, {x, y, layer});
+      for (std::uint32_t a = 0; a < 3; ++a)
+        if ((edges >> a & 1U) != 0) visit(3 * v + a);
+    }
+}
+
+inline float GridComplex::size(std::uint32_t piece) const {
+  if (piece >= edge_bound() || corners_on_side(piece) != 15U) return size_near_surface(piece);
+  float largest = 0.0F;
+  for (const std::uint32_t edge : face_edges(piece))
+    largest = std::max(largest, sizes_.by_edge[edge]);
+  return largest;
+}
+
+inline std::array<std::uint32_t, 2> GridComplex::cells(std::uint32_t piece) const {
+  const std::uint32_t v = piece / 3;
+  if (piece >= edge_bound() || on_border(v)) return cells_near_surface(piece);
+  const std::uint32_t below = v - sides_.lattice.stride[piece % 3];
+  if (((sides_.cubes[v] | sides_.cubes[below]) & many_cells_) != 0)
+    return cells_near_surface(piece);
+  return {below, v};
+}
+
+inline ShortList<std::uint32_t, 4> GridComplex::edges_of(std::uint32_t piece) const {
+  if (piece >= edge_bound() || corners_on_side(piece) != 15U) return edges_near_surface(piece);
+  return {face_edges(piece), 4};
+}
+
+inline ShortList<std::uint32_t, 8> GridComplex::ring(std::uint32_t edge) const {
+  const std::uint32_t v = edge / 3;
+  if (on_border(v) || has_wall_edge(v)) return ring_near_surface(edge);
+  const auto [b, c] = cross_axes(static_cast<int>(edge % 3));
+  const std::uint32_t before_b = v - sides_.lattice.stride[b];
+  const std::uint32_t before_c = v - sides_.lattice.stride[c];
+  const unsigned flags = sides_.cubes[v] | sides_.cubes[before_b] | sides_.cubes[before_c];
+  if ((flags & Sides::has_ambiguous_face) != 0) return ring_near_surface(edge);
+  const auto ub = static_cast<std::uint32_t>(b);
+  const auto uc = static_cast<std::uint32_t>(c);
+  return {{3 * v + uc, 3 * v + ub, 3 * before_b + uc, 3 * before_c + ub}, 4};
+}
+
+static_assert(Complex<GridComplex>);
+
+}  // namespace isoloop

@@ -1,0 +1,184 @@
+#include "core/engines/dual_pass.h"
+
+#include <algorithm>
+#include <atomic>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/complex/order.h"
+#include "core/engines/spanning_forest.h"
+#include "core/engines/zero_labels.h"
+
+namespace isoloop {
+namespace {
+
+/// Generators that a relation has expressed by older ones. Generators are numbered in order of
+/// birth, so the youngest of a set is its greatest.
+class Elimination {
+ public:
+  GeneratorSet reduce(std::span<const std::uint32_t> set) const {
+    GeneratorSet reduced(set.begin(), set.end());
+    for (std::size_t i = reduced.size(); i-- > 0;) {
+      if (reduced[i] >= expressed_by_.size() || !expressed_by_[reduced[i]]) continue;
+      // The substitute holds older generators only: what lies above position i stays as it is.
+      const std::uint32_t youngest = reduced[i];
+      GeneratorSet substitute = *expressed_by_[youngest];
+      substitute.push_back(youngest);
+      reduced = sum_of(reduced, substitute);
+      i = static_cast<std::size_t>(std::lower_bound(reduced.begin(), reduced.end(), youngest) -
+                                   reduced.begin());
+    }
+    return reduced;
+  }
+
+  /// Imposes sum = 0.
+  void relate(std::span<const std::uint32_t> sum) {
+    GeneratorSet relation = reduce(sum);
+    if (relation.empty()) return;
+    const std::uint32_t youngest = relation.back();
+    relation.pop_back();
+    if (expressed_by_.size() <= youngest) expressed_by_.resize(youngest + 1);
+    expressed_by_[youngest] = std::move(relation);
+  }
+
+  bool is_eliminated(std::uint32_t generator) const {
+    return generator < expressed_by_.size() && expressed_by_[generator].has_value();
+  }
+
+ private:
+  std::vector<std::optional<GeneratorSet>> expressed_by_;
+};
+
+/// Labels pieces; whenever all but one piece of a ring are labelled, the last one follows.
+template <Complex C>
+class Propagation {
+ public:
+  /// Pieces in `known` have label 0.
+  Propagation(const C& complex, BitSet known)
+      : labels(complex.piece_bound()), complex_(complex), known_(std::move(known)) {}
+
+  const BitSet& known() const { return known_; }
+
+  void assign(std::uint32_t piece, std::uint32_t label) {
+    known_.insert(piece);
+    if (label != 0) labels.set(piece, label);
+    for (const std::uint32_t edge : complex_.edges_of(piece)) todo_.push_back(edge);
+  }
+
+  /// Draws every conclusion from the labels so far. Rings that close with a sum other than 0 are
+  /// relations between the generators.
+  void run() {
+    while (!todo_.empty()) {
+      const std::uint32_t edge = todo_.back();
+      todo_.pop_back();
+      std::uint32_t sum = 0;
+      std::uint32_t last = 0;
+      int unknown = 0;
+      for (const std::uint32_t piece : complex_.ring(edge)) {
+        if (known_[piece]) {
+          sum = pool.sum(sum, labels[piece]);
+        } else {
+          last = piece;
+          ++unknown;
+        }
+      }
+      if (unknown == 1)
+        assign(last, sum);
+      else if (unknown == 0 && sum != 0)
+        elimination.relate(pool.generators(sum));
+    }
+  }
+
+  LabelPool pool;
+  SparseLabels labels;
+  Elimination elimination;
+
+ private:
+  const C& complex_;
+  BitSet known_;
+  std::vector<std::uint32_t> todo_;
+};
+
+/// Replaces eliminated generators in all labels and renumbers the rest in order of killing.
+template <Complex C>
+DualPass finish(const C& complex, Propagation<C>& state, const std::vector<std::uint32_t>& born) {
+  DualPass pass;
+  std::vector<std::uint32_t> number(born.size());
+  for (std::size_t i = born.size(); i-- > 0;) {
+    const auto generator = static_cast<std::uint32_t>(i);
+    if (state.elimination.is_eliminated(generator)) continue;
+    number[i] = static_cast<std::uint32_t>(pass.killing.size());
+    pass.killing.push_back({born[i], complex.size(born[i])});
+  }
+  std::vector<std::uint32_t> final_label(state.pool.count());
+  for (std::uint32_t label = 0; label < state.pool.count(); ++label) {
+    GeneratorSet set = state.elimination.reduce(state.pool.generators(label));
+    for (std::uint32_t& generator : set) generator = number[generator];
+    std::reverse(set.begin(), set.end());  // the oldest kills last
+    final_label[label] = pass.pool.intern(set);
+  }
+  pass.labels = std::move(state.labels);
+  pass.labels.relabel(final_label);
+  return pass;
+}
+
+/// Whether each generator is in an even number of the labels round the edge.
+bool sums_to_zero(const GridComplex& complex, std::uint32_t edge, const DualPass& pass) {
+  std::uint32_t one = 0;
+  std::vector<std::uint32_t> generators;  // of all labels but for equal ones that follow each other
+  const auto add = [&](std::uint32_t label) {
+    const auto set = pass.pool.generators(label);
+    generators.insert(generators.end(), set.begin(), set.end());
+  };
+  for (const std::uint32_t piece : complex.ring(edge)) {
+    const std::uint32_t label = pass.labels[piece];
+    if (label == 0) continue;
+    if (label == one) {
+      one = 0;
+      continue;
+    }
+    if (one != 0) add(one);
+    one = label;
+  }
+  if (one == 0 && generators.empty()) return true;
+  add(one);
+  std::sort(generators.begin(), generators.end());
+  for (std::size_t i = 0; i < generators.size(); i += 2)
+    if (i + 1 == generators.size() || generators[i] != generators[i + 1]) return false;
+  return true;
+}
+
+}  // namespace
+
+DualPass dual_pass(const GridComplex& complex) {
+  Propagation state(complex, zero_labels(complex, largest_forest(complex)));
+  std::vector<std::uint32_t> born;
+  std::vector<std::uint32_t> largest;
+  do {
+    largest = largest_missing(complex, state.known());
+    for (const std::uint32_t piece : largest) {
+      if (state.known()[piece]) continue;
+      const auto generator = static_cast<std::uint32_t>(born.size());
+      born.push_back(piece);
+      state.assign(piece, state.pool.intern({&generator, 1}));
+      state.run();
+    }
+  } while (!largest.empty());
+  return finish(complex, state, born);
+}
+
+bool labels_are_consistent(const GridComplex& complex, const DualPass& pass) {
+  std::atomic<bool> consistent = true;
+  pass.labels.for_each_shared([&](std::uint32_t piece, std::uint32_t) {
+    for (const std::uint32_t edge : complex.edges_of(piece))
+      if (!sums_to_zero(complex, edge, pass)) consistent = false;
+  });
+  for (std::uint32_t i = 0; i < pass.killing.size(); ++i) {
+    const auto own = pass.pool.generators(pass.labels[pass.killing[i].piece]);
+    if (own.size() != 1 || own[0] != i) consistent = false;
+  }
+  return consistent;
+}
+
+}  // namespace isoloop

@@ -1,0 +1,268 @@
+#include "core/loops/loop_search.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <unordered_map>
+
+#include "core/base/errors.h"
+
+namespace isoloop {
+namespace {
+
+constexpr auto none = static_cast<std::uint32_t>(-1);
+
+bool visits_twice(Curve curve) {
+  std::sort(curve.begin(), curve.end());
+  return std::adjacent_find(curve.begin(), curve.end()) != curve.end();
+}
+
+/// What is left of a closed walk over Z2, where an edge taken twice is not taken at all.
+std::vector<Curve> without_repeated_edges(const Curve& walk) {
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  for (std::size_t i = 0; i < walk.size(); ++i) {
+    const std::uint32_t u = walk[i];
+    const std::uint32_t v = walk[(i + 1) % walk.size()];
+    edges.push_back({std::min(u, v), std::max(u, v)});
+  }
+  std::sort(edges.begin(), edges.end());
+  std::vector<std::array<std::uint32_t, 2>> odd;
+  for (const auto& edge : edges) {
+    if (!odd.empty() && odd.back() == edge)
+      odd.pop_back();
+    else
+      odd.push_back(edge);
+  }
+  return closed_curves(odd);
+}
+
+/// No edge of M leaves its cube.
+double longest_edge(const Surface& surface) {
+  constexpr double rounding = 1e-3;
+  return (1.0 + rounding) * distance({0.0, 0.0, 0.0}, surface.spacing);
+}
+
+}  // namespace
+
+LoopSearch::LoopSearch(const Surface& surface, const SurfaceClasses& classes, Side side)
+    : surface_(surface),
+      classes_(classes),
+      side_(side),
+      steps_(classes.pool.count(), Step{{none, none}, 0, false}),
+      reached_(surface.points.size()),
+      queue_(longest_edge(surface)) {}
+
+void LoopSearch::look_for(WantedLoops wanted) {
+  wanted_ = std::move(wanted);
+  wanted_own_ = pool_.intern(wanted_.own);
+  ++asked_;
+}
+
+void LoopSearch::stay_near(const Curve& curve, std::size_t edges) {
+  is_bounded_ = !curve.empty();
+  near_.resize(reached_.size());
+  ++stays_;
+  Curve inner = curve;
+  for (const std::uint32_t vertex : inner) near_[vertex] = stays_;
+  for (std::size_t i = 0; i < edges; ++i) {
+    Curve outer;
+    for (const std::uint32_t vertex : inner)
+      surface_.graph.for_each_out_edge(vertex, [&](std::uint32_t next, std::uint32_t) {
+        if (near_[next] == stays_) return;
+        near_[next] = stays_;
+        outer.push_back(next);
+      });
+    inner = std::move(outer);
+  }
+}
+
+void LoopSearch::begin(std::uint32_t base) {
+  if (++current_ == 0) {  // after 2^32 searches: no stale entry may look current
+    for (Reached& vertex : reached_) vertex.search = 0;
+    for (Step& step : steps_) step.odd_for = 0;
+    current_ = 1;
+  }
+  settled_ = 0;
+  queue_.clear();
+  paths_.assign(1, {0.0F, base, {}, none, none, false, false});
+  reached_[base] = {current_, 0};
+  queue_.push(0.0F, 0);
+}
+
+std::uint32_t LoopSearch::first_path(std::uint32_t vertex) const {
+  return reached_[vertex].search == current_ ? reached_[vertex].first : none;
+}
+
+double LoopSearch::distance_to(std::uint32_t vertex) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::uint32_t p = first_path(vertex); p != none; p = paths_[p].next)
+    least = std::min(least, double{paths_[p].distance});
+  return least;
+}
+
+/// Not if it is settled already, or as many others to its vertex are as there may be.
+bool LoopSearch::may_settle(const Path& path, std::uint32_t sheets) const {
+  if (path.is_settled) return false;
+  std::uint32_t others = 0;
+  for (std::uint32_t p = first_path(path.vertex); p != none; p = paths_[p].next)
+    if (paths_[p].is_settled && ++others == sheets) return false;
+  return true;
+}
+
+const LoopSearch::Step& LoopSearch::step_of(std::uint32_t label) {
+  Step& step = steps_[label];
+  if (step.odd_for == current_) return step;
+  if (step.label.own == none) {
+    const SplitClass parts = split_class(classes_, side_, classes_.pool.generators(label));
+    step.label = {pool_.intern(parts.own), pool_.intern(parts.other)};
+  }
+  step.odd_for = current_;
+  step.is_odd = false;
+  for (const std::uint32_t generator : pool_.generators(step.label.other))
+    if (std::binary_search(crossing_.begin(), crossing_.end(), generator))
+      step.is_odd = !step.is_odd;
+  return step;
+}
+
+double LoopSearch::useful_length(std::uint32_t other) {
+  if (other >= useful_.size()) useful_.resize(pool_.count());
+  Useful& useful = useful_[other];
+  if (useful.asked != asked_) useful = {wanted_.useful_length(pool_.generators(other)), asked_};
+  return useful.length;
+}
+
+/// Settles paths up to half of `bound` and calls close(closing) for every way to close a loop of
+/// the wanted own class, but not of class 0, no longer than `bound` at that time; `close` may lower
+/// it. The middle of a shortest walk lies on an edge whose ends are both settled by then.
+template <class Close>
+void LoopSearch::explore(std::uint32_t base, double& bound, std::uint32_t sheets,
+                         const Close& close) {
+  begin(base);
+  while (!queue_.empty()) {
+    const BucketQueue::Item nearest = queue_.take();
+    if (2.0 * nearest.key > bound) break;
+    const std::uint32_t number = nearest.value;
+    if (!may_settle(paths_[number], sheets)) continue;
+    paths_[number].is_settled = true;
+    ++settled_;
+    const Path here = paths_[number];
+    surface_.graph.for_each_out_edge(here.vertex, [&](std::uint32_t next, std::uint32_t edge) {
+      if (is_bounded_ && near_[next] != stays_) return;
+      Path path{here.distance + surface_.graph.lengths[edge],
+                next,
+                here.label,
+                number,
+                none,
+                here.is_odd,
+                false};
+      if (const std::uint32_t label = classes_.of_edge[edge]; label != 0) {
+        const Step& step = step_of(label);
+        path.label = {pool_.sum(path.label.own, step.label.own),
+                      pool_.sum(path.label.other, step.label.other)};
+        path.is_odd = path.is_odd != step.is_odd;
+      }
+      extend(path, bound, sheets, close);
+    });
+  }
+}
+
+/// Closes loops with the settled paths to the same vertex. Keeps the path unless a shorter one of
+/// its class is known, or `sheets` shorter ones of others.
+template <class Close>
+void LoopSearch::extend(const Path& path, const double& bound, std::uint32_t sheets,
+                        const Close& close) {
+  const std::uint32_t own_back = pool_.sum(path.label.own, wanted_own_);
+  std::uint32_t same = none;
+  std::uint32_t shorter = 0;
+  const std::uint32_t first = first_path(path.vertex);
+  for (std::uint32_t p = first; p != none; p = paths_[p].next) {
+    const Path& known = paths_[p];
+    if (known.distance <= path.distance) ++shorter;
+    if (known.label == path.label) {
+      if (known.distance <= path.distance) shorter = sheets;
+      same = p;
+    } else if (known.is_settled) {
+      const double length = double{path.distance} + known.distance;
+      if (known.is_odd != path.is_odd) shortest_crossing_ = std::min(shortest_crossing_, length);
+      if (known.label.own == own_back && length <= bound)
+        close(Closing{path.parent, p, pool_.sum(path.label.other, known.label.other), length});
+    }
+  }
+  if (shorter >= sheets || 2.0 * path.distance > bound) return;
+  if (same == none) {
+    // Of each sheet every edge is walked once: more cannot be where lengths are numbers.
+    if (paths_.size() > sheets * surface_.graph.lengths.size() + 1)
+      throw SelfCheckFailed("a search for loops takes more paths than the surface has edges");
+    same = static_cast<std::uint32_t>(paths_.size());
+    paths_.push_back(path);
+    paths_.back().next = first;
+    reached_[path.vertex] = {current_, same};
+  } else {
+    paths_[same].distance = path.distance;
+    paths_[same].parent = path.parent;
+  }
+  queue_.push(path.distance, same);
+}
+
+std::optional<FoundLoop> LoopSearch::shortest(std::uint32_t base, double longest) {
+  std::optional<FoundLoop> best;
+  double bound = longest;
+  crossing_ = {};
+  explore(base, bound, 1, [&](const Closing& closing) {
+    if (closing.length >= useful_length(closing.other)) return;
+    bound = std::min(bound, closing.length);
+    FoundLoop found = loop_of(closing);
+    if (!best || found.length < best->length) best = std::move(found);
+  });
+  return best;
+}
+
+SearchResult LoopSearch::shortest_of_each_class(std::uint32_t base, const SearchLimits& limits,
+                                                std::span<const std::uint32_t> crossing) {
+  crossing_ = crossing;
+  shortest_crossing_ = limits.longest;
+  std::vector<Closing> closings;
+  std::unordered_map<std::uint32_t, std::size_t> number;  // of each label's closing
+  double bound = limits.longest;
+  explore(base, bound, limits.sheets, [&](const Closing& closing) {
+    if (useful_length(closing.other) == 0.0) return;
+    const auto [at, is_new] = number.try_emplace(closing.other, closings.size());
+    if (is_new)
+      closings.push_back(closing);
+    else if (closing.length < closings[at->second].length)
+      closings[at->second] = closing;
+  });
+  SearchResult result{{}, shortest_crossing_, settled_};
+  for (const Closing& closing : closings) {
+    FoundLoop loop = loop_of(closing);
+    if (loop.length < useful_length(closing.other)) result.loops.push_back(std::move(loop));
+  }
+  return result;
+}
+
+FoundLoop LoopSearch::loop_of(const Closing& closing) const {
+  // Walk both ends up to where their paths meet; the farther end first.
+  std::uint32_t from = closing.from;
+  std::uint32_t to = closing.to;
+  Curve there{paths_[from].vertex};
+  Curve back{paths_[to].vertex};
+  while (from != to) {
+    const bool first = paths_[from].distance >= paths_[to].distance;
+    std::uint32_t& farther = first ? from : to;
+    farther = paths_[farther].parent;
+    (first ? there : back).push_back(paths_[farther].vertex);
+  }
+  back.pop_back();
+  there.insert(there.end(), back.rbegin(), back.rend());
+  FoundLoop found;
+  const auto generators = pool_.generators(closing.other);
+  found.other.assign(generators.begin(), generators.end());
+  if (visits_twice(there))
+    found.curves = without_repeated_edges(there);
+  else
+    found.curves.push_back(std::move(there));
+  found.length = length_of(surface_, found.curves);
+  return found;
+}
+
+}  // namespace isoloop

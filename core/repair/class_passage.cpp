@@ -1,0 +1,236 @@
+#include "core/repair/class_passage.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <set>
+#include <utility>
+
+namespace isoloop {
+namespace {
+
+/// Finds, for vertices of one surface, those of another one that lie at the same places.
+class SameVertices {
+ public:
+  SameVertices(const Workings& from, const Workings& to) : from_(from), to_(to) {
+    for (std::size_t a = 0; a < 3; ++a)
+      shift_[a] = from.sides->lattice.first[a] - to.sides->lattice.first[a];
+  }
+
+  std::uint32_t of(std::uint32_t vertex) const {
+    const std::uint32_t on_edges = from_.edges->count();
+    if (vertex < on_edges) {
+      const std::uint32_t edge = from_.analysis.surface.grid_edges[vertex];
+      return to_.edges->vertex_on(3 * moved(edge / 3) + edge % 3);
+    }
+    const std::uint32_t ring = vertex - on_edges;
+    const std::uint32_t cube = from_.sides->tunnels[ring / ring_size].cube;
+    return ring_vertex(*to_.edges, tunnel_in(*to_.sides, moved(cube)),
+                       static_cast<int>(ring % ring_size));
+  }
+
+ private:
+  std::uint32_t moved(std::uint32_t lattice_vertex) const {
+    const auto p = from_.sides->lattice.position(lattice_vertex);
+    const auto along = [&](std::size_t a) { return static_cast<std::uint32_t>(p[a] + shift_[a]); };
+    return to_.sides->lattice.vertex(along(0), along(1), along(2));
+  }
+
+  const Workings& from_;
+  const Workings& to_;
+  Index3 shift_{};
+};
+
+/// Union-find over vertices that knows the classes, before and after, of a walk to the root.
+class WalkForest {
+ public:
+  struct Classes {
+    std::uint32_t before = 0;  // numbers in the pools
+    std::uint32_t after = 0;
+    auto operator<=>(const Classes&) const = default;
+  };
+
+  WalkForest(std::size_t vertices, LabelPool before, LabelPool after)
+      : before_pool(std::move(before)),
+        after_pool(std::move(after)),
+        parent_(vertices),
+        walk_(vertices) {
+    std::iota(parent_.begin(), parent_.end(), 0U);
+  }
+
+  /// Adds an edge; the classes of the walk that it closes, 0 if it joins two trees.
+  Classes join(std::uint32_t a, std::uint32_t b, const Classes& step) {
+    const std::uint32_t root_a = hang(a);
+    const std::uint32_t root_b = hang(b);
+    const Classes between =
+        sum(sum(root_a == a ? Classes{} : walk_[a], root_b == b ? Classes{} : walk_[b]), step);
+    if (root_a == root_b) return between;
+    const auto [low, high] = std::minmax(root_a, root_b);
+    parent_[high] = low;
+    walk_[high] = between;
+    return {};
+  }
+
+  LabelPool before_pool;
+  LabelPool after_pool;
+
+ private:
+  Classes sum(const Classes& a, const Classes& b) {
+    return {before_pool.sum(a.before, b.before), after_pool.sum(a.after, b.after)};
+  }
+
+  /// Hangs the vertex on its root.
+  std::uint32_t hang(std::uint32_t vertex) {
+    path_.clear();
+    while (parent_[vertex] != vertex) {
+      path_.push_back(vertex);
+      vertex = parent_[vertex];
+    }
+    if (path_.empty()) return vertex;
+    Classes walk = walk_[path_.back()];
+    for (std::size_t i = path_.size() - 1; i-- > 0;) {
+      walk = sum(walk, walk_[path_[i]]);
+      walk_[path_[i]] = walk;
+      parent_[path_[i]] = vertex;
+    }
+    return vertex;
+  }
+
+  std::vector<std::uint32_t> parent_;
+  std::vector<Classes> walk_;  // to the parent
+  std::vector<std::uint32_t> path_;
+};
+
+/// The classes before and after of closed walks that generate all common ones.
+std::set<WalkForest::Classes> common_walks(WalkForest& forest, const Workings& before,
+                                           const Workings& after,
+                                           const std::vector<bool>& changed) {
+  std::set<WalkForest::Classes> found;
+  const Surface& surface = before.analysis.surface;
+  const Lattice& lattice = before.sides->lattice;
+  const SameVertices same(before, after);
+  const auto is_common = [&](std::uint32_t cube) {
+    for (unsigned c = 0; c < 8; ++c) {
+      std::uint32_t corner = cube;
+      for (unsigned a = 0; a < 3; ++a) corner += (c >> a & 1U) * lattice.stride[a];
+      if (changed[corner]) return false;
+    }
+    return true;
+  };
+  const auto step_after = [&](std::uint32_t a, std::uint32_t b) {
+    if (after.classes.of_edge.empty()) return 0U;
+    return after.classes
+        .of_edge[edge_between(after.analysis.surface.graph, same.of(a), same.of(b))];
+  };
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    if (!is_common(surface.triangle_cubes[t])) continue;
+    const auto& corners = surface.triangles[t];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t a = corners[i];
+      const std::uint32_t b = corners[(i + 1) % 3];
+      const std::uint32_t step = before.classes.of_edge[edge_between(surface.graph, a, b)];
+      const WalkForest::Classes closed = forest.join(a, b, {step, step_after(a, b)});
+      if (closed != WalkForest::Classes{}) found.insert(closed);
+    }
+  }
+  return found;
+}
+
+GeneratorSet set_of(const LabelPool& pool, std::uint32_t label) {
+  const auto generators = pool.generators(label);
+  return {generators.begin(), generators.end()};
+}
+
+}  // namespace
+
+ClassPassage::ClassPassage(const Workings& before, const Workings& after,
+                           const std::vector<bool>& changed, std::span<const GeneratorSet> removed)
+    : before_inside_(before.classes.inside_rank),
+      before_rank_(before.classes.inside_rank + before.classes.outside_rank),
+      after_inside_(after.classes.inside_rank),
+      after_rank_(after.classes.inside_rank + after.classes.outside_rank),
+      removed_(removed.size()) {
+  WalkForest forest(before.analysis.surface.points.size(), before.classes.pool, after.classes.pool);
+  const auto walks = common_walks(forest, before, after, changed);
+  for (const GeneratorSet& cycle : removed) add(rows_, {cycle, {}});
+  for (const WalkForest::Classes& walk : walks)
+    add(rows_, {set_of(forest.before_pool, walk.before), set_of(forest.after_pool, walk.after)});
+}
+
+void ClassPassage::reduce(const Rows& rows, Row& row) {
+  for (std::size_t i = 0; i < row.before.size();) {
+    const auto pivot = rows.find(row.before[i]);
+    if (pivot == rows.end()) {
+      ++i;  // elements before it are no pivots
+      continue;
+    }
+    // The pivot is the least element of its row: what lies before position i stays as it is.
+    row.before = sum_of(row.before, pivot->second.before);
+    row.after = sum_of(row.after, pivot->second.after);
+  }
+}
+
+void ClassPassage::add(Rows& rows, Row row) {
+  reduce(rows, row);
+  if (row.before.empty()) {
+    is_map_ = is_map_ && row.after.empty();
+    return;
+  }
+  const std::uint32_t pivot = row.before.front();
+  rows.emplace(pivot, std::move(row));
+}
+
+/// Whether classes before without a generator below `border` have none below `border_after`
+/// afterwards; with `turned`, without one from there on.
+bool ClassPassage::keeps_kind(bool turned) const {
+  const auto swapped = [](GeneratorSet set, std::uint32_t border, std::uint32_t rank) {
+    for (std::uint32_t& generator : set)
+      generator = generator < border ? generator + rank - border : generator - border;
+    std::sort(set.begin(), set.end());
+    return set;
+  };
+  Rows rows;
+  for (const auto& [pivot, row] : rows_) {
+    Row other = row;
+    if (turned) {
+      other.before = swapped(row.before, before_inside_, before_rank_);
+      other.after = swapped(row.after, after_inside_, after_rank_);
+    }
+    reduce(rows, other);
+    const std::uint32_t first = other.before.front();
+    rows.emplace(first, std::move(other));
+  }
+  const std::uint32_t border = turned ? before_rank_ - before_inside_ : before_inside_;
+  const std::uint32_t border_after = turned ? after_rank_ - after_inside_ : after_inside_;
+  return std::all_of(rows.lower_bound(border), rows.end(), [&](const auto& entry) {
+    const GeneratorSet& after = entry.second.after;
+    return after.empty() || after.front() >= border_after;
+  });
+}
+
+std::optional<std::string> ClassPassage::check() const {
+  if (!is_map_) return "a loop that bounded before no longer does";
+  if (after_rank_ + 2 * removed_ != before_rank_)
+    return "the genus dropped by " + std::to_string((before_rank_ - after_rank_) / 2) + ", not " +
+           std::to_string(removed_);
+  if (rows_.size() + removed_ != before_rank_)
+    return "walks apart from what changed reach " + std::to_string(rows_.size()) +
+           " independent classes, not " + std::to_string(before_rank_ - removed_);
+  Z2Basis reached;
+  for (const auto& [pivot, row] : rows_) reached.add(row.after);
+  if (reached.rank() != after_rank_)
+    return "of " + std::to_string(after_rank_) + " independent loops only " +
+           std::to_string(reached.rank()) + " were there before";
+  if (!keeps_kind(false)) return "a handle loop no longer is one";
+  if (!keeps_kind(true)) return "a tunnel loop no longer is one";
+  return std::nullopt;
+}
+
+std::optional<GeneratorSet> ClassPassage::image(const GeneratorSet& before) const {
+  Row row{before, {}};
+  reduce(rows_, row);
+  if (!row.before.empty()) return std::nullopt;
+  return row.after;
+}
+
+}  // namespace isoloop

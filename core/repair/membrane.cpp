@@ -1,0 +1,121 @@
+#include "core/repair/membrane.h"
+
+#include <algorithm>
+
+#include "core/repair/membrane_search.h"
+
+namespace isoloop {
+
+MembraneFinder::MembraneFinder(const Sides& sides, const GridComplex& complex, const DualPass& pass)
+    : sides_(sides),
+      complex_(complex),
+      pass_(pass),
+      near_odd_(sides.lattice.vertex_count()),
+      seen_(sides.lattice.vertex_count()),
+      node_of_vertex_(sides.lattice.vertex_count(), none),
+      node_of_cell_(complex.cell_bound(), none) {}
+
+void MembraneFinder::mark_odd_pieces(std::span<const std::uint32_t> crossing) {
+  const GeneratorSet asked(crossing.begin(), crossing.end());
+  if (asked == crossing_) return;
+  crossing_ = asked;
+  for (const std::uint32_t vertex : odd_corners_) near_odd_[vertex] = false;
+  odd_corners_.clear();
+  odd_label_.assign(pass_.pool.count(), 0);
+  for (std::uint32_t label = 0; label < pass_.pool.count(); ++label)
+    for (const std::uint32_t generator : pass_.pool.generators(label))
+      if (std::find(crossing.begin(), crossing.end(), generator) != crossing.end())
+        odd_label_[label] ^= 1;
+  pass_.labels.for_each([&](std::uint32_t piece, std::uint32_t label) {
+    if (odd_label_[label] == 0) return;
+    for (const std::uint32_t corner : complex_.corners(piece)) {
+      if (near_odd_[corner]) continue;
+      near_odd_[corner] = true;
+      odd_corners_.push_back(corner);
+    }
+  });
+  std::sort(odd_corners_.begin(), odd_corners_.end());
+}
+
+std::optional<bool> MembraneFinder::thin(
+    const MembraneQuery& query, const MembraneSearch& search,
+    const std::function<bool(const std::vector<std::uint32_t>&)>& use) {
+  mark_odd_pieces(query.crossing);
+  Search state(*this, query, search);
+  if (!state.collect_near() || !state.explore_rest()) return std::nullopt;
+  state.group_parts();
+  for (const bool from_far_side : {false, true}) {
+    const auto set = state.best_cut(from_far_side);
+    if (set && use(*set)) return true;
+  }
+  return false;
+}
+
+/// What `start` reaches without meeting vertices seen in round `first_round`; empty if that is more
+/// than `most` vertices, leads out of the box, or meets what a round since then did not finish.
+std::vector<std::uint32_t> MembraneFinder::part_beside(const MembraneQuery& query,
+                                                       std::uint32_t start,
+                                                       std::uint32_t first_round,
+                                                       std::size_t most) {
+  const MembraneSearch anywhere{};
+  const Search side(*this, query, anywhere);
+  const std::uint32_t round = ++rounds_;
+  std::vector<std::uint32_t> part{start};
+  seen_[start] = round;
+  bool is_whole = true;
+  for (std::size_t i = 0; i < part.size() && is_whole; ++i)
+    side.for_each_cell(part[i], [&](const Search::Incidence& at) {
+      if (at.cube == none) {
+        is_whole = false;
+        return;
+      }
+      side.for_each_corner(at, [&](std::uint32_t corner) {
+        if (seen_[corner] > first_round && seen_[corner] < round) is_whole = false;
+        if (seen_[corner] >= first_round) return;
+        seen_[corner] = round;
+        part.push_back(corner);
+        is_whole = is_whole && part.size() <= most;
+      });
+    });
+  if (!is_whole) part.clear();
+  return part;
+}
+
+std::vector<std::uint32_t> MembraneFinder::with_severed(const MembraneQuery& query,
+                                                        const std::vector<std::uint32_t>& set,
+                                                        std::size_t most) {
+  const std::uint32_t first_round = ++rounds_;
+  for (const std::uint32_t vertex : set) seen_[vertex] = first_round;
+  const MembraneSearch anywhere{};
+  const Search side(*this, query, anywhere);
+  std::vector<std::vector<std::uint32_t>> parts;
+  bool has_larger = false;
+  for (const std::uint32_t vertex : set)
+    side.for_each_cell(vertex, [&](const Search::Incidence& at) {
+      if (at.cube == none) return;
+      side.for_each_corner(at, [&](std::uint32_t corner) {
+        if (seen_[corner] >= first_round) return;
+        parts.push_back(part_beside(query, corner, first_round, most));
+        has_larger = has_larger || parts.back().empty();
+      });
+    });
+  const auto smaller = [](const auto& a, const auto& b) { return a.size() < b.size(); };
+  if (!has_larger && !parts.empty())
+    parts.erase(std::max_element(parts.begin(), parts.end(), smaller));
+  std::vector<std::uint32_t> all = set;
+  for (const auto& part : parts)
+    if (std::none_of(part.begin(), part.end(), [&](auto vertex) { return query.fixed[vertex]; }))
+      all.insert(all.end(), part.begin(), part.end());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+std::vector<std::uint32_t> MembraneFinder::spanned(const MembraneQuery& query) {
+  mark_odd_pieces(query.crossing);
+  std::vector<std::uint32_t> vertices;
+  for (const std::uint32_t vertex : odd_corners_)
+    if (!query.gone[vertex] && !query.fixed[vertex]) vertices.push_back(vertex);
+  return vertices;
+}
+
+}  // namespace isoloop

@@ -1,0 +1,58 @@
+// g(e): how far apart, along M, the surface vertices closest to the ends of an edge of K are.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/base/unset_vector.h"
+#include "core/cube/sides.h"
+#include "core/surface/edge_index.h"
+#include "core/surface/edge_set.h"
+#include "core/surface/surface.h"
+
+namespace isoloop {
+
+/// exact: Dijkstra on M for every pair, the paper's definition to the letter.
+/// hierarchy: exact up to five voxels; beyond that on ever coarser clusters of M's vertices, whose
+/// straight links cut corners about as much as they zigzag: 0.97 to 1.05 times the exact size on
+/// the mean on a torus, a plate, a lattice, a gyroid and smoothed noise, with a standard deviation
+/// of about 0.12. Beyond 64 voxels on smoothed noise 1.10.
+enum class GeodesicMode { exact, hierarchy };
+
+/// A size for each grid edge: half a byte a lattice vertex, and four for each that is not 0. Far
+/// from M, and about its medial axis, many edges are within the reach of one vertex of M.
+class SparseSizes {
+ public:
+  SparseSizes() = default;
+  /// Each of `not_zero` is to be set before it is read.
+  explicit SparseSizes(EdgeSet not_zero)
+      : not_zero_(std::move(not_zero)), sizes_(not_zero_.count()) {}
+
+  float operator[](std::uint32_t grid_edge) const {
+    return not_zero_[grid_edge] ? sizes_[not_zero_.rank(grid_edge)] : 0.0F;
+  }
+
+  /// `grid_edge` must be one of those that are not 0. Other threads may set other edges.
+  void set(std::uint32_t grid_edge, float size) { sizes_[not_zero_.rank(grid_edge)] = size; }
+
+  std::uint64_t bytes() const { return not_zero_.bytes() + sizes_.size() * sizeof(float); }
+
+ private:
+  EdgeSet not_zero_;
+  UnsetVector<float> sizes_;  // by rank
+};
+
+/// Sizes of K's edges, unit of the spacing; infinite where the ends' closest vertices lie on
+/// different components of M, 0 where they coincide.
+struct EdgeSizes {
+  SparseSizes by_edge;                 // of a cut edge: of its inside half
+  std::vector<float> of_outside_half;  // by vertex of M: of its grid edge's outside half
+};
+
+/// g of Dey, Li, Sun, Cohen-Steiner (SIGGRAPH 2008), section 4. `closest`: by lattice vertex.
+EdgeSizes geodesic_sizes(const Sides& sides, const EdgeIndex& edges, const Surface& surface,
+                         std::span<const std::uint32_t> closest, GeodesicMode mode);
+
+}  // namespace isoloop

@@ -1,0 +1,19 @@
+#include "core/sizes/vertex_pairs.h"
+
+#include <utility>
+
+namespace isoloop {
+
+std::uint32_t VertexPairs::find(std::uint32_t a, std::uint32_t b) const {
+  if (a > b) std::swap(a, b);
+  const auto begin = partner.begin() + first[a];
+  const auto end = partner.begin() + first[a + 1];
+  return static_cast<std::uint32_t>(std::lower_bound(begin, end, b) - partner.begin());
+}
+
+VertexPairs PairCollector::take() {
+  Rows rows = rows_.take();
+  return {std::move(rows.first), std::move(rows.values)};
+}
+
+}  // namespace isoloop

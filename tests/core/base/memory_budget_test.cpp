@@ -1,0 +1,93 @@
+#include "core/base/memory_budget.h"
+
+#include <array>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "core/analysis/analysis.h"
+#include "core/base/errors.h"
+#include "core/base/threads.h"
+#include "core/engines/spanning_forest.h"
+#include "tests/samples/core_fixture.h"
+
+namespace isoloop {
+namespace {
+
+/// The complaint of find_loops() within `bytes`; empty if there is none.
+std::string complaint_within(const testing::SmallVolume& volume, std::uint64_t bytes) {
+  try {
+    find_loops(volume.view(), testing::zero_level, {.max_bytes = bytes});
+  } catch (const LimitExceeded& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(MemoryBudget, EachStageIsRefusedByNameBeforeItStarts) {
+  testing::SmallVolume volume = testing::torus({48, 48, 48});
+  volume.values.front() = volume.values.back() = 1.0;  // a box beyond the torus: each needs more
+  const testing::Prepared p(volume, GeodesicMode::hierarchy);
+  const std::uint64_t lattice = p.sides.lattice.vertex_count();
+  const std::uint64_t surface = p.edges.count();
+  const std::uint64_t sizes = p.sizes.by_edge.bytes();
+  const std::array<std::pair<const char*, std::uint64_t>, 4> stages{
+      {{"surface", surface_bytes(lattice, surface)},
+       {"closest", closest_bytes(lattice, surface)},
+       {"sizes", sizes_bytes(lattice, surface) + size_search_bytes(surface)},
+       {"pass", pass_bytes(lattice, surface, sizes, 1) +
+                    slab_bytes(lattice, p.sides.lattice.dims[2] + 1, 1)}}};
+  for (const auto& [stage, bytes] : stages) {
+    const std::string complaint = complaint_within(volume, bytes - 1);
+    for (const std::string& part : {std::string(stage), bytes_text(bytes), bytes_text(bytes - 1),
+                                    std::string("--max-memory")})
+      EXPECT_NE(complaint.find(part), std::string::npos) << complaint;
+  }
+  EXPECT_EQ(complaint_within(volume, stages.back().second), "");
+}
+
+TEST(MemoryBudget, SearchesForLoopsAreRefusedWhereTheSurfaceIsLarge) {
+  const testing::SmallVolume volume = testing::white_noise({14, 14, 14}, 1);
+  const testing::Prepared p(volume, GeodesicMode::hierarchy);
+  const std::uint64_t vertices = p.surface.points.size();
+  const std::uint64_t needed =
+      loops_bytes(p.sides.lattice.vertex_count(), vertices, p.sizes.by_edge.bytes()) +
+      loop_search_bytes(vertices);
+  EXPECT_NE(complaint_within(volume, needed - 1).find("'loops' needs " + bytes_text(needed)),
+            std::string::npos);
+  EXPECT_EQ(complaint_within(volume, needed), "");
+}
+
+TEST(MemoryBudget, WhatIsEnoughForOneThreadIsEnoughForSixteen) {
+  const testing::SmallVolume volume = testing::torus({48, 48, 48});
+  std::uint64_t enough = std::uint64_t{1} << 16;
+  with_threads(1, [&] {
+    while (!complaint_within(volume, enough).empty()) enough += enough / 64;
+  });
+  EXPECT_EQ(with_threads(16, [&] { return complaint_within(volume, enough); }), "");
+}
+
+TEST(MemoryBudget, ThreadsAreAsManyAsThereIsRoomFor) {
+  EXPECT_EQ(threads_within("sizes", 100, 10, unlimited_bytes, 16), 16);
+  EXPECT_EQ(threads_within("sizes", 100, 10, 139, 16), 3);
+  EXPECT_EQ(threads_within("sizes", 100, 10, 110, 16), 1);
+  EXPECT_THROW(threads_within("sizes", 100, 10, 109, 16), LimitExceeded);
+}
+
+TEST(MemoryBudget, TheBoxIsRefusedBeforeItIsAllocated) {
+  const testing::SmallVolume volume = testing::torus({40, 40, 40});
+  EXPECT_THROW(classify(volume.view(), testing::zero_level, Boundary::closed, 40 * 40),
+               LimitExceeded);
+}
+
+TEST(MemoryBudget, BytesAreSpelledInTheLargestUnitThatFits) {
+  EXPECT_EQ(bytes_text(0), "0 bytes");
+  EXPECT_EQ(bytes_text(1), "1 byte");
+  EXPECT_EQ(bytes_text(1023), "1023 bytes");
+  EXPECT_EQ(bytes_text(1536), "1.5 KiB");
+  EXPECT_EQ(bytes_text(std::uint64_t{2} << 30), "2.0 GiB");
+}
+
+}  // namespace
+}  // namespace isoloop

@@ -1,0 +1,41 @@
+#include "core/z2/z2_basis.h"
+
+#include <random>
+#include <set>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace isoloop {
+namespace {
+
+TEST(Z2Basis, CoordinatesSumToTheVector) {
+  std::mt19937 random(3);
+  for (int round = 0; round < 200; ++round) {
+    Z2Basis basis;
+    std::vector<GeneratorSet> members;
+    for (int i = 0; i < 12; ++i) {
+      std::set<std::uint32_t> set;
+      for (unsigned k = 1 + random() % 4; k > 0; --k) set.insert(random() % 10);
+      const GeneratorSet vector(set.begin(), set.end());
+      const bool was_in_span = basis.coordinates(vector).has_value();
+      EXPECT_EQ(basis.add(vector), !was_in_span);
+      if (!was_in_span) members.push_back(vector);
+      ASSERT_EQ(basis.rank(), members.size());
+      const auto coordinates = basis.coordinates(vector);
+      ASSERT_TRUE(coordinates.has_value());
+      GeneratorSet sum;
+      for (const std::uint32_t k : *coordinates) sum = sum_of(sum, members[k]);
+      EXPECT_EQ(sum, vector);
+    }
+  }
+}
+
+TEST(Z2Basis, RefusesTheZeroVector) {
+  Z2Basis basis;
+  EXPECT_FALSE(basis.add({}));
+  EXPECT_TRUE(basis.coordinates({})->empty());
+}
+
+}  // namespace
+}  // namespace isoloop
