@@ -86,7 +86,8 @@ AXES = [(1, 0), (0, 1), (-1, 0), (0, -1)]  # of the four faces round an edge, an
 
 
 def ring_of_pieces():
-    drawing = Drawing(820, 456, "The ring of pieces round an interior edge, with labels that sum to 0")
+    title = "The ring of pieces round an interior edge, with labels that sum to 0"
+    drawing = Drawing(820, 456, title)
     # Generators in the labels of the pieces, in the order of AXES.
     labels = [("1",), ("1", "2"), (), ("2",)]
     shown = ["{1}", "{1, 2}", "0", "{2}"]
@@ -102,7 +103,8 @@ def ring_of_pieces():
         drawing.path(face, GREY, 1.2, tint, 0.22 if labels[k] else 0.12, closed=True)
     drawing.path([at(0, 0, -1.15), at(0, 0, 1.15)], DARK, 3.5)
     drawing.text((at(0, 0, 1.15)[0], at(0, 0, 1.15)[1] - 8), "interior edge e")
-    for k, z, shift in ((0, -1, (14, -12)), (1, 1, (18, 16)), (2, 1, (-14, 16)), (3, -1, (-18, -8))):
+    places = ((0, -1, (14, -12)), (1, 1, (18, 16)), (2, 1, (-14, 16)), (3, -1, (-18, -8)))
+    for k, z, shift in places:
         x, y = at(AXES[k][0], AXES[k][1], z)
         drawing.text((x + shift[0], y + shift[1]), f"p{SUBSCRIPTS[k + 1]}")
 
