@@ -2,6 +2,7 @@
 
 #include "core/analysis.h"
 #include "core/errors.h"
+#include "tests/dicom_samples.h"
 #include "tests/slice_samples.h"
 #include "tests/tiff_samples.h"
 #include "tests/volume_test_files.h"
@@ -154,6 +155,16 @@ TEST_F(SliceFolder, AFolderWithoutSlicesSaysWhatItHolds) {
   write_bytes(folder_ / "c.jpg", "x");
   const std::string message = message_of<InvalidInput>([&] { read_volume(folder_.path()); });
   EXPECT_TRUE(contains(message, "it holds c.jpg, 2 .txt files")) << message;
+}
+
+TEST_F(SliceFolder, PicturesBesideFoldersOfDicomSlicesAreRefused) {
+  write_png("logo.png", 1);
+  std::filesystem::create_directory(folder_ / "IMAGES");
+  write_bytes(folder_ / "IMAGES" / "1", test::DicomSlice{}.file());
+  const std::string message = message_of<InvalidInput>([&] { read_volume(folder_.path()); });
+  EXPECT_TRUE(contains(message, "DICOM slices in folders within it")) << message;
+  std::filesystem::remove(folder_ / "logo.png");
+  EXPECT_EQ(read_volume(folder_.path()).dims, (Index3{3, 2, 1}));
 }
 
 TEST(SliceFolderData, TheFolderOfSlicesHasItsKnownCounts) {

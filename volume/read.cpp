@@ -38,8 +38,15 @@ bool is_step(const std::filesystem::path& path) {
 Volume read_folder(const std::filesystem::path& path, const ReadOptions& options) {
   const VoxelLimits limits = limits_of(options);
   if (holds_dicom(path)) return read_dicom(path, options.format, limits);
-  if (holds_slices(path)) return read_slice_folder(path, options.format, limits);
-  if (holds_dicom_within(path)) return read_dicom(path, options.format, limits);
+  const bool slices = holds_slices(path);
+  const bool within = holds_dicom_within(path);
+  if (slices && within) {
+    throw InvalidInput(path.string() +
+                       ": holds images itself and DICOM slices in folders within it; give the "
+                       "folder of those that are meant");
+  }
+  if (slices) return read_slice_folder(path, options.format, limits);
+  if (within) return read_dicom(path, options.format, limits);
   throw InvalidInput(path.string() +
                      ": is a folder without slices that isoloop reads (DICOM, TIFF, PNG or BMP); "
                      "it holds " +

@@ -61,6 +61,11 @@ void read_planes_behind_first(const std::filesystem::path& path, const TiffPages
 
 void check_that_planes_are_there(const TiffPages& pages, std::uint64_t planes,
                                  std::uint64_t plane_bytes, const std::string& what) {
+  if (pages.pixel_bytes < plane_bytes) {
+    refuse(
+        what,
+        "states images behind its one page, whose own pixels lie apart; save it as a plain TIFF");
+  }
   const std::uint64_t left = pages.file_bytes - pages.pixels_at;
   if (planes <= left / plane_bytes) return;
   refuse(what, "states " + std::to_string(planes) + " images but holds " +
