@@ -35,10 +35,10 @@ struct OmeImage {
 
 /// Without the prefix of a name space, "ome:Pixels".
 std::string local_name(const std::string& name) {
-  const bool closes = name.starts_with('/');
   const std::size_t colon = name.find(':');
   if (colon == std::string::npos) return name;
-  return (closes ? "/" : "") + name.substr(colon + 1);
+  const std::size_t first = name.starts_with('/') ? 1 : 0;
+  return std::string(name).erase(first, colon + 1 - first);
 }
 
 OmeImage image_of(const std::string& xml, const std::string& what) {
