@@ -26,7 +26,8 @@ struct TiffSample {
   std::uint16_t format = SAMPLEFORMAT_UINT;
   std::string description{};
   float per_unit = 0.0F;    // pixels, along x and y; 0: not stated
-  std::uint32_t depth = 1;  // slices within each page (ImageDepth), which must be tiled
+  std::uint32_t depth = 1;  // slices within each page (ImageDepth), which must be tiled, in this
+                            // machine's byte order, without compression or by ADOBE_DEFLATE
 };
 
 inline void write_tiff_page(TIFF* file, const TiffSample& sample, int z) {
@@ -64,7 +65,14 @@ inline void write_tiff_page(TIFF* file, const TiffSample& sample, int z) {
       }
       const auto bytes = static_cast<tmsize_t>(2 * tile.size());
       const auto number = TIFFComputeTile(file, 0, 0, first, 0);
-      written = written && TIFFWriteEncodedTile(file, number, tile.data(), bytes) > 0;
+      // libtiff encodes the first slice of a tile alone.
+      std::string raw(reinterpret_cast<const char*>(tile.data()), static_cast<std::size_t>(bytes));
+      if (sample.depth > 1 && sample.compression == COMPRESSION_ADOBE_DEFLATE)
+        raw = zlib_bytes(raw);
+      written = written &&
+                (sample.depth > 1
+                     ? TIFFWriteRawTile(file, number, raw.data(), static_cast<tmsize_t>(raw.size()))
+                     : TIFFWriteEncodedTile(file, number, tile.data(), bytes)) > 0;
     }
   } else {
     TIFFSetField(file, TIFFTAG_ROWSPERSTRIP, 3);

@@ -209,13 +209,32 @@ TEST_F(TiffAxes, PlanesBehindOnePageAreRead) {
 }
 
 TEST_F(TiffAxes, SlicesWithinAPageAreRead) {
-  const TiffSample sample{.tiled = true, .pages = 1, .depth = 3};
-  const std::string file = test::tiff_bytes(sample, folder_ / "written");
-  EXPECT_EQ(planes(file), (Planes{0, 1, 2}));
-  const auto path = folder_ / "cut.tif";
-  test::expect_no_beginning_is_read(path, file, [&] { read_tiff(path); });
-  EXPECT_EQ(planes(test::tiff_bytes({.tiled = true, .pages = 2, .depth = 3}, folder_ / "written")),
-            (Planes{0, 1, 2, 3, 4, 5}));
+  for (const std::uint16_t compression : {COMPRESSION_NONE, COMPRESSION_ADOBE_DEFLATE}) {
+    TiffSample sample{.compression = compression, .tiled = true, .pages = 1, .depth = 3};
+    const std::string file = test::tiff_bytes(sample, folder_ / "written");
+    EXPECT_EQ(planes(file), (Planes{0, 1, 2}));
+    const auto path = folder_ / "cut.tif";
+    test::expect_no_beginning_is_read(path, file, [&] { read_tiff(path); });
+    sample.pages = 2;
+    const std::string two = test::tiff_bytes(sample, folder_ / "written");
+    EXPECT_EQ(planes(two), (Planes{0, 1, 2, 3, 4, 5}));
+  }
+}
+
+TEST_F(TiffAxes, NoFlippedByteOfATileOfSlicesEndsTheProcess) {
+  const std::string whole = test::tiff_bytes(
+      {.compression = COMPRESSION_ADOBE_DEFLATE, .tiled = true, .pages = 1, .depth = 3},
+      folder_ / "written");
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    std::string damaged = whole;
+    damaged[at] = static_cast<char>(damaged[at] ^ 0xff);
+    write_bytes(folder_ / "a.tif", damaged);
+    try {
+      read_tiff(folder_ / "a.tif", {}, {.max_bytes = 1 << 20});
+    } catch (const std::runtime_error&) {
+      continue;
+    }
+  }
 }
 
 TEST_F(TiffAxes, NoFileWithAxesCutShortIsRead) {

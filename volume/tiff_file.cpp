@@ -5,12 +5,14 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <limits>
 #include <optional>
 #include <vector>
 
 #include <tiffio.h>
 
 #include "core/errors.h"
+#include "volume/tiff_deep_tile.h"
 
 namespace isoloop {
 namespace {
@@ -126,13 +128,21 @@ void read_tiles(const TiffFile& file, const TiffPage& page, const VoxelLimits& l
   check_voxel_memory(tile_dims, pixel, limits, file.what());
   std::vector<std::byte> tile(checked_voxel_bytes(tile_dims, pixel, file.what()));
   const auto size = static_cast<tmsize_t>(tile.size());
+  if (tile_dims[1] * tile_dims[2] > std::numeric_limits<std::uint32_t>::max()) {
+    refuse(file.what(), "has tiles of more rows than TIFF counts");
+  }
+  const auto rows = static_cast<std::uint32_t>(tile_dims[1] * tile_dims[2]);
   for (std::int64_t z = 0; z < dims[2]; z += tile_dims[2]) {
     for (std::int64_t y = 0; y < dims[1]; y += tile_dims[1]) {
       for (std::int64_t x = 0; x < dims[0]; x += tile_dims[0]) {
         const auto number =
             TIFFComputeTile(file.get(), static_cast<std::uint32_t>(x),
                             static_cast<std::uint32_t>(y), static_cast<std::uint32_t>(z), 0);
-        if (TIFFReadEncodedTile(file.get(), number, tile.data(), size) != size) file.fail();
+        if (tile_dims[2] > 1) {
+          read_deep_tile(file, number, static_cast<std::uint32_t>(tile_dims[0]), rows, tile);
+        } else if (TIFFReadEncodedTile(file.get(), number, tile.data(), size) != size) {
+          file.fail();
+        }
         place_tile(tile, tile_dims, {x, y, z}, dims, pixel, to);
       }
     }
