@@ -33,6 +33,7 @@ TEST_F(FlagConflicts, LabelsHaveNoIsoValue) {
 
 TEST_F(FlagConflicts, AFlagForOtherKindsOfFileIsRefused) {
   expect_refusal({"count", ring_, "--iso", "1", "--frame", "0"}, "--frame means nothing for");
+  expect_refusal({"count", ring_, "--iso", "1", "--channel", "0"}, "--channel means nothing for");
   expect_refusal({"info", ring_, "--grid", "density"}, "--grid");
   expect_refusal({"count", ring_, "--iso", "1", "--series", "1"}, "--series");
   expect_refusal({"count", ring_, "--iso", "1", "--affine", "sform"}, "--affine");
@@ -89,6 +90,7 @@ TEST_F(FlagConflicts, ACountIsWantedInAFewWords) {
            {{"count", ring_}, "--max-voxels", {"-1", "0", "1.5"}},
            {{"count", ring_}, "--skip", {"-1"}},
            {{"count", ring_}, "--frame", {"-1"}},
+           {{"count", ring_}, "--channel", {"-1"}},
            {{"repair", ring_, "--dry-run"}, "--genus", {"-1"}},
            {{"generate", "plate", "-o", "x.raw"}, "--holes", {"-2", "1001"}},
            {{"generate", "plate", "-o", "x.raw"}, "--size", {"0", "-1"}},

@@ -20,8 +20,9 @@ struct Case {
   std::vector<std::string> files;  // that it is for
 };
 
-const std::vector<std::string> volumes{"a.raw", "a.vdb",  "a.nii.gz", "a.hdr", "a.nrrd", "a.mhd",
-                                       "a.dcm", "a.tiff", "a.npy",    "a.vti", "folder"};
+const std::vector<std::string> volumes{"a.raw", "a.vdb", "a.nii.gz", "a.hdr", "a.nrrd",
+                                       "a.mhd", "a.dcm", "a.tiff",   "a.PNG", "a.bmp",
+                                       "a.npy", "a.vti", "folder"};
 const std::vector<std::string> meshes{"a.stl", "a.PLY", "a.obj", "a.off"};
 
 std::vector<std::string> all_but(std::vector<std::string> files, const std::string& file) {
@@ -39,6 +40,7 @@ std::vector<Case> all_cases() {
           {"--frame",
            [](VolumeFlags& f) { f.frame = 0; },
            {"a.nii.gz", "a.hdr", "a.nrrd", "a.mhd", "a.dcm", "a.tiff", "a.npy", "folder"}},
+          {"--channel", [](VolumeFlags& f) { f.channel = 0; }, {"a.tiff", "folder"}},
           {"--series", [](VolumeFlags& f) { f.series = "1"; }, {"a.dcm", "folder"}},
           {"--affine", [](VolumeFlags& f) { f.affine = "sform"; }, {"a.nii.gz", "a.hdr"}},
           {"--label", [](VolumeFlags& f) { f.label = "1"; }, volumes},

@@ -105,6 +105,7 @@ TEST(ReadOptionsOfFlags, CarriesEveryFlag) {
                                             .spacing = "2",
                                             .grid = "density",
                                             .frame = 3,
+                                            .channel = 4,
                                             .series = "1.2.3",
                                             .affine = "qform",
                                             .label = "3,-7",
@@ -124,6 +125,7 @@ TEST(ReadOptionsOfFlags, CarriesEveryFlag) {
   EXPECT_EQ(options.format.spacing, (Vec3{2, 2, 2}));
   EXPECT_EQ(options.labels, (std::vector<std::int64_t>{3, -7}));
   EXPECT_EQ(options.format.frame, 3);
+  EXPECT_EQ(options.format.channel, 4);
   EXPECT_EQ(options.format.series, "1.2.3");
   EXPECT_EQ(options.format.transform, NiftiTransform::qform);
   EXPECT_EQ(options.world, Frame::lps);

@@ -53,6 +53,13 @@ TEST(ReportJson, HasTheNamesOfTheDesign) {
       (std::vector<std::string>{"read", "surface", "closest", "sizes", "pass", "loops", "total"}));
 }
 
+TEST(ReportJson, StatesTheUnitWhereTheFileDoes) {
+  RunResult run = torus_run();
+  EXPECT_EQ(parsed(run).at("conventions").at("unit"), "length and size: unit of the spacing");
+  run.volume.unit = "µm";
+  EXPECT_EQ(parsed(run).at("conventions").at("unit"), "length and size: µm");
+}
+
 TEST(ReportJson, TellsOfFeaturesWhereAskedTo) {
   const Json json = parsed(torus_run_with_features());
   EXPECT_EQ(json["loops"][0]["feature"],

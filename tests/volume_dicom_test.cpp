@@ -96,6 +96,75 @@ TEST_F(Dicom, AMissingSliceIsMissed) {
   EXPECT_TRUE(contains(refusal(), "a slice is missing"));
 }
 
+TEST_F(Dicom, AMissingSliceIsWarnedOfWhereTheSpacingIsGiven) {
+  write_series();
+  std::filesystem::remove(folder_ / "8");
+  const Volume volume = read({.spacing = Vec3{1, 1, 2}});
+  EXPECT_EQ(volume.dims[2], 3);
+  EXPECT_EQ(volume.spacing, (Vec3{1, 1, 2}));
+  EXPECT_EQ(volume.unit, "");
+  ASSERT_EQ(volume.warnings.size(), 1U);
+  EXPECT_TRUE(contains(volume.warnings[0], "a slice is missing")) << volume.warnings[0];
+}
+
+/// Without the 132 bytes and the group that says how it is written.
+std::string data_set_of(const DicomSlice& slice) {
+  const std::string bytes = slice.file();
+  const std::size_t group =
+      12 + load<std::uint32_t>(std::as_bytes(std::span(bytes)), 140, Endian::little);
+  return bytes.substr(132 + group);
+}
+
+TEST_F(Dicom, SlicesWithoutTheirFirstBytesAreRead) {
+  for (const char* syntax : {explicit_little, implicit_little}) {
+    for (int z = 0; z < 4; ++z) {
+      DicomSlice slice = dicom_slice_at(z);
+      slice.syntax = syntax;
+      write_bytes(folder_ / std::to_string(9 - z), data_set_of(slice));
+    }
+    EXPECT_TRUE(holds_dicom(folder_.path()));
+    const Volume volume = read();
+    EXPECT_EQ(volume.dims, (Index3{3, 2, 4})) << syntax;
+    EXPECT_EQ(std::get<std::vector<std::int16_t>>(volume.values).back(), 305) << syntax;
+    const auto path = folder_ / "cut";
+    DicomSlice slice;
+    slice.syntax = syntax;
+    test::expect_no_beginning_is_read(path, data_set_of(slice), [&] { read_dicom(path); });
+    std::filesystem::remove(path);
+  }
+}
+
+TEST_F(Dicom, OtherFilesAreNotTakenForSlicesWithoutTheirFirstBytes) {
+  std::string numbers;
+  for (std::uint16_t i = 8; i < 200; ++i) numbers += test::number_bytes(i, Endian::little);
+  write_bytes(folder_ / "a.bin", numbers);
+  write_bytes(folder_ / "b.bin", std::string(200, '\x8'));
+  write_bytes(folder_ / "c.bin", std::string("\x8\0\0\0\0\0\0\0\x8\0\0\0", 12));
+  EXPECT_FALSE(holds_dicom(folder_.path()));
+}
+
+TEST_F(Dicom, SlicesAreFoundInSubFolders) {
+  write("DICOMDIR", {});
+  write_bytes(folder_ / "VERSION", "of the disc");
+  std::filesystem::create_directories(folder_ / "IMAGES/0");
+  for (int z = 0; z < 4; ++z) write("IMAGES/0/" + std::to_string(z), dicom_slice_at(z));
+  EXPECT_FALSE(holds_dicom(folder_.path()));
+  EXPECT_TRUE(holds_dicom_within(folder_.path()));
+  const Volume volume = read();
+  EXPECT_EQ(volume.dims, (Index3{3, 2, 4}));
+  EXPECT_EQ(volume.unit, "mm");
+  EXPECT_TRUE(contains(volume.notes.at(0), "IMAGES"));
+  write_bytes(folder_ / "IMAGES/0/4", dicom_slice_at(4).file().substr(0, 100));
+  EXPECT_TRUE(contains(refusal(), "cut short"));
+}
+
+TEST_F(Dicom, AFolderWithSlicesIsReadWithoutItsSubFolders) {
+  write_series();
+  std::filesystem::create_directory(folder_ / "old");
+  write("old/1", dicom_slice_at(7));
+  EXPECT_EQ(read().dims[2], 4);
+}
+
 TEST_F(Dicom, UnevenDistancesAreWarnedOf) {
   write_series();
   DicomSlice moved = dicom_slice_at(1);

@@ -11,6 +11,8 @@ TEST(FileKind, GoesByTheExtensionWhateverItsCase) {
   EXPECT_EQ(file_kind("a/b.NII.gz"), FileKind::nifti);
   EXPECT_EQ(file_kind("b.hdr"), FileKind::nifti);
   EXPECT_EQ(file_kind("b.nhdr"), FileKind::nrrd);
+  EXPECT_EQ(file_kind("b.PNG"), FileKind::png);
+  EXPECT_EQ(file_kind("b.bmp"), FileKind::bmp);
   EXPECT_EQ(file_kind("b.mhd"), FileKind::meta_image);
   EXPECT_FALSE(file_kind("a/b.raw.gz"));
   EXPECT_FALSE(file_kind("a/b.stl"));

@@ -1,6 +1,7 @@
 isoloop_add_tests(isoloop_volume_tests
   SOURCES
     volume_atomic_file_test.cpp
+    volume_bmp_test.cpp
     volume_child_process_test.cpp
     volume_crop_test.cpp
     volume_curve_distance_test.cpp
@@ -17,11 +18,15 @@ isoloop_add_tests(isoloop_volume_tests
     volume_nrrd_test.cpp
     volume_patch_test.cpp
     volume_placement_test.cpp
+    volume_png_test.cpp
     volume_raw_test.cpp
     volume_read_test.cpp
     volume_shape_field_test.cpp
     volume_shapes_test.cpp
+    volume_slice_folder_test.cpp
+    volume_slice_names_test.cpp
     volume_stored_voxels_test.cpp
+    volume_tiff_planes_test.cpp
     volume_tiff_test.cpp
     volume_vdb_message_test.cpp
     volume_vdb_test.cpp

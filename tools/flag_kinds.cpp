@@ -33,7 +33,7 @@ struct Rule {
   std::string_view kinds_text;
 };
 
-constexpr std::array<Rule, 14> rules{{
+constexpr std::array<Rule, 15> rules{{
     {"--dims", [](const VolumeFlags& f) { return !f.dims.empty(); }, raw, "raw files"},
     {"--type", [](const VolumeFlags& f) { return !f.type.empty(); }, raw, "raw files"},
     {"--endian", [](const VolumeFlags& f) { return !f.endian.empty(); }, raw, "raw files"},
@@ -45,6 +45,8 @@ constexpr std::array<Rule, 14> rules{{
      ".vdb and .vti files"},
     {"--frame", [](const VolumeFlags& f) { return f.frame.has_value(); }, with_frames,
      "files that may hold several volumes: NIfTI, NRRD, MetaImage, DICOM, TIFF and NumPy"},
+    {"--channel", [](const VolumeFlags& f) { return f.channel.has_value(); },
+     kind_bit(FileKind::tiff) | folder, "TIFF files"},
     {"--series", [](const VolumeFlags& f) { return !f.series.empty(); },
      kind_bit(FileKind::dicom) | folder, "DICOM slices"},
     {"--affine", [](const VolumeFlags& f) { return !f.affine.empty(); }, kind_bit(FileKind::nifti),

@@ -48,7 +48,8 @@ void write_info(std::ostream& out, const VolumeFlags& flags, const Volume& volum
       << "type       " << type_name(volume.values) << '\n'
       << "values     " << shortest_text(range.min) << " to " << shortest_text(range.max) << '\n'
       << "spacing    " << vector_text(volume.spacing) << '\n'
-      << "origin     " << vector_text(volume.origin) << '\n'
+      << (volume.unit.empty() ? "" : "unit       " + volume.unit + "\n") << "origin     "
+      << vector_text(volume.origin) << '\n'
       << "direction  " << vector_text(volume.direction[0]) << ", "
       << vector_text(volume.direction[1]) << ", " << vector_text(volume.direction[2]) << '\n'
       << "frame      " << frame_text(volume.frame) << '\n'
@@ -74,7 +75,9 @@ void add_info_command(CLI::App& app) {
       "Examples:\n"
       "  isoloop info engine_256x256x128_uint8.raw\n"
       "  isoloop info scan.raw --dims 512 512 300 --type i16 --spacing 0.4 0.4 0.8\n"
-      "  isoloop info cloud.vdb --grid density");
+      "  isoloop info cloud.vdb --grid density\n"
+      "  isoloop info cells.ome.tif --channel 1\n"
+      "  isoloop info folder_of_slices");
   command.callback([flags] {
     check_flags_fit_file(*flags);
     const Volume volume = read_volume(flags->file, read_options(*flags));

@@ -18,8 +18,9 @@ namespace {
 
 // How many numbers may follow a flag.
 std::size_t numbers_after(std::string_view flag) {
-  constexpr std::array<std::pair<std::string_view, std::size_t>, 11> counts{{{"--dims", 3},
+  constexpr std::array<std::pair<std::string_view, std::size_t>, 12> counts{{{"--dims", 3},
                                                                              {"--frame", 1},
+                                                                             {"--channel", 1},
                                                                              {"--label", 1},
                                                                              {"--spacing", 3},
                                                                              {"--iso", 2},
@@ -41,7 +42,8 @@ void check_volume_flags(CLI::App& command) {
        {"--dims", "--type", "--spacing", "--grid", "--series", "--label", "--crop", "--nan-as"}) {
     want_text(command.get_option(flag));
   }
-  for (const char* flag : {"--skip", "--frame"}) want_whole_number(command.get_option(flag), 0);
+  for (const char* flag : {"--skip", "--frame", "--channel"})
+    want_whole_number(command.get_option(flag), 0);
   for (const char* flag : {"--resolution", "--max-voxels"}) {
     want_whole_number(command.get_option(flag), 1);
   }
@@ -60,9 +62,10 @@ void add_memory_flag(CLI::App& command, std::string& size) {
 
 void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
   command
-      .add_option("FILE", flags.file,
-                  "volume to read: " + supported_extensions() +
-                      ", or a folder of slices; or mesh: .stl .ply .obj .off")
+      .add_option(
+          "FILE", flags.file,
+          "volume to read: " + supported_extensions() +
+              ", or a folder of DICOM, TIFF, PNG or BMP slices; or mesh: .stl .ply .obj .off")
       ->required()
       ->type_name("");
   command.add_option("--dims", flags.dims, "voxels along x, y and z of a raw file")
@@ -86,6 +89,8 @@ void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
                   "name of the grid in a .vdb file, of the array of points or cells in a .vti file")
       ->type_name("NAME");
   command.add_option("--frame", flags.frame, "which volume of a 4-D file, counted from 0")
+      ->type_name("N");
+  command.add_option("--channel", flags.channel, "which channel of a TIFF file, counted from 0")
       ->type_name("N");
   command
       .add_option("--series", flags.series,
@@ -185,6 +190,7 @@ ReadOptions read_options(const VolumeFlags& flags) {
     options.raw.spacing = *options.format.spacing;
   }
   options.format.frame = flags.frame;
+  options.format.channel = flags.channel;
   options.format.series = flags.series;
   if (flags.affine == "sform") options.format.transform = NiftiTransform::sform;
   if (flags.affine == "qform") options.format.transform = NiftiTransform::qform;

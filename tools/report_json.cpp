@@ -86,7 +86,7 @@ Json conventions_of(const RunResult& run) {
                                 {"center_index", "voxel indices"},
                                 {"center_world", "frame"},
                                 {"curves", "frame"}};
-  conventions["unit"] = "length and size: unit of the spacing";
+  conventions["unit"] = "length and size: " + unit_text(run.volume);
   return conventions;
 }
 

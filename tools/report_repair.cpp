@@ -132,7 +132,7 @@ void write_repair_json(std::ostream& out, const RepairRun& result) {
        {{"inside", inside_text(run.level)},
         {"topology", topology_text(run.level.topology)},
         {"round", "of analysis that `id` refers to; 1: of the input"},
-        {"unit", "length: unit of the spacing; volume: its cube"}}},
+        {"unit", "length: " + unit_text(run.volume) + "; volume: its cube"}}},
       {"output", result.output.empty() ? Json() : Json(result.output)},
       {"before", counts_of(repair.before)},
       {"after", counts_of(repair.after)},

@@ -227,6 +227,10 @@ std::string frame_text(Frame frame) {
   return "index";
 }
 
+std::string unit_text(const Volume& volume) {
+  return volume.unit.empty() ? "unit of the spacing" : volume.unit;
+}
+
 std::string frame_comment(const RunResult& run) {
   const Vec3& spacing = run.volume.spacing;
   return "frame " + frame_text(run.volume.frame) + ", spacing " + shortest_text(spacing[0]) + ' ' +

@@ -38,6 +38,9 @@ std::string fix_text(LoopKind kind);
 /// "index", "world", "LPS" or "RAS".
 std::string frame_text(Frame frame);
 
+/// The unit of lengths: "µm" and the like, "unit of the spacing" where the file does not state it.
+std::string unit_text(const Volume& volume);
+
 /// "frame index, spacing 1 1 1 in the unit of lengths": for comments in files. At most 70
 /// characters unless the spacing takes many digits.
 std::string frame_comment(const RunResult& run);

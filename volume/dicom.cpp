@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <set>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -32,15 +33,44 @@ std::string text(double number) {
 
 double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files;
+using Paths = std::vector<std::filesystem::path>;
+
+/// The files that `Entries` finds, in order, without hidden ones. Throws InvalidInput.
+template <class Entries>
+Paths files_by(const std::filesystem::path& folder) {
+  Paths files;
   std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
-    if (entry.is_regular_file() && !name.starts_with('.')) files.push_back(entry.path());
+  Entries entry(folder, std::filesystem::directory_options::skip_permission_denied, error);
+  constexpr std::size_t most = 1000000;
+  for (; !error && entry != Entries(); entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    std::error_code ignored;
+    if (!entry->is_regular_file(ignored) || name.starts_with('.')) continue;
+    if (files.size() == most) refuse(folder.string(), "holds more than a million files");
+    files.push_back(entry->path());
   }
   if (error) refuse(folder.string(), "cannot be read: " + error.message());
   std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// Whether the file is a slice, as the index of a disc of them, DICOMDIR, is not.
+bool is_dicom_slice(const std::filesystem::path& path) {
+  return path.filename() != "DICOMDIR" && looks_like_dicom(path);
+}
+
+/// The files of the folder if some are DICOM, else those of all folders within it that are beside
+/// some.
+Paths files_beside_dicom(const std::filesystem::path& folder) {
+  if (holds_dicom(folder)) return files_by<std::filesystem::directory_iterator>(folder);
+  Paths files = files_by<std::filesystem::recursive_directory_iterator>(folder);
+  std::set<std::filesystem::path> folders;
+  for (const auto& file : files) {
+    if (folders.count(file.parent_path()) == 0 && is_dicom_slice(file)) {
+      folders.insert(file.parent_path());
+    }
+  }
+  std::erase_if(files, [&](const auto& file) { return folders.count(file.parent_path()) == 0; });
   return files;
 }
 
@@ -54,7 +84,7 @@ bool may_be_a_slice(const std::filesystem::path& path) {
 
 Slices read_slices(const std::filesystem::path& folder) {
   Slices slices;
-  for (const auto& file : files_in(folder)) {
+  for (const auto& file : files_beside_dicom(folder)) {
     if (file.filename() == "DICOMDIR") continue;
     if (looks_like_dicom(file)) {
       slices.push_back(read_dicom_slice(file));
@@ -148,7 +178,7 @@ std::vector<Slices> sorted_frames(Slices slices, bool by_position, const std::st
   return frames;
 }
 
-void check_gaps(const Slices& slices, Volume& volume) {
+void check_gaps(const Slices& slices, bool spacing_given, Volume& volume) {
   std::vector<double> gaps;
   for (std::size_t i = 0; i + 1 < slices.size(); ++i) {
     gaps.push_back(height_of(slices[i + 1]) - height_of(slices[i]));
@@ -158,9 +188,15 @@ void check_gaps(const Slices& slices, Volume& volume) {
   const double usual = sorted[sorted.size() / 2];
   for (std::size_t i = 0; i < gaps.size(); ++i) {
     if (gaps[i] > usual / 1.5 && gaps[i] < 1.5 * usual) continue;
-    refuse(slices[i + 1].path.string(),
-           "lies " + text(gaps[i]) + " from " + slices[i].path.string() + ", other slices lie " +
-               text(usual) + " apart: a slice is missing, or one does not belong");
+    const std::string complaint = slices[i + 1].path.string() + ": lies " + text(gaps[i]) +
+                                  " from " + slices[i].path.string() + ", other slices lie " +
+                                  text(usual) +
+                                  " apart: a slice is missing, or one does not belong";
+    if (!spacing_given) {
+      throw InvalidInput(complaint + "; give --spacing X Y Z to read them as evenly spaced");
+    }
+    volume.warnings.push_back(complaint + "; they are read as evenly spaced");
+    return;
   }
   if (sorted.back() - sorted.front() <= 0.01 * usual) return;
   volume.warnings.push_back("slices lie " + text(sorted.front()) + " to " + text(sorted.back()) +
@@ -255,8 +291,12 @@ Volume read_dicom(const std::filesystem::path& path, const FormatOptions& option
   const Slices& chosen = frames[choose_frame(layout, options.frame, what)];
   Volume volume;
   volume.dims = layout.dims;
-  if (placed && chosen.size() > 2) check_gaps(chosen, volume);
+  if (placed && chosen.size() > 2) check_gaps(chosen, options.spacing.has_value(), volume);
   place(volume, options.spacing ? Placement{} : placement_of(chosen), options.spacing, what);
+  if (!options.spacing) volume.unit = "mm";
+  if (folder && chosen.front().path.parent_path() != (path / "").parent_path()) {
+    volume.notes.push_back("slices are in " + chosen.front().path.parent_path().string());
+  }
   if (scales_alike(chosen)) {
     add_scale_note(chosen.front().layout, volume);
   } else {
@@ -267,8 +307,13 @@ Volume read_dicom(const std::filesystem::path& path, const FormatOptions& option
 }
 
 bool holds_dicom(const std::filesystem::path& folder) {
-  const auto files = files_in(folder);
-  return std::any_of(files.begin(), files.end(), looks_like_dicom);
+  const Paths files = files_by<std::filesystem::directory_iterator>(folder);
+  return std::any_of(files.begin(), files.end(), is_dicom_slice);
+}
+
+bool holds_dicom_within(const std::filesystem::path& folder) {
+  const Paths files = files_by<std::filesystem::recursive_directory_iterator>(folder);
+  return std::any_of(files.begin(), files.end(), is_dicom_slice);
 }
 
 }  // namespace isoloop

@@ -28,6 +28,54 @@ struct Header {
   std::uint32_t length = 0;
 };
 
+/// How a file begins. A data set by itself has explicit or implicit types.
+enum class DicomStart { unknown, preamble, explicit_data, implicit_data };
+
+constexpr std::size_t preamble_bytes = 132;
+constexpr const char* implicit_little = "1.2.840.10008.1.2";
+constexpr const char* explicit_little = "1.2.840.10008.1.2.1";
+
+bool is_tag_of_group_8(std::span<const std::byte> bytes, std::size_t at) {
+  return load<std::uint16_t>(bytes, at, Endian::little) == 8;
+}
+
+/// Of a data set without what DICOM files begin with: two elements of group 8 in ascending order,
+/// the first of them short, so that other files are not taken for one.
+DicomStart start_of_data_set(std::span<const std::byte> bytes) {
+  if (bytes.size() < 8 || !is_tag_of_group_8(bytes, 0)) return DicomStart::unknown;
+  const auto is_letter = [&](std::size_t at) {
+    const char letter = std::to_integer<char>(bytes[at]);
+    return letter >= 'A' && letter <= 'Z';
+  };
+  const bool with_types = is_letter(4) && is_letter(5);
+  const std::uint64_t length = with_types ? load<std::uint16_t>(bytes, 6, Endian::little)
+                                          : load<std::uint32_t>(bytes, 4, Endian::little);
+  const std::uint64_t next = 8 + length;
+  if (length % 2 != 0 || next + 4 > bytes.size() || !is_tag_of_group_8(bytes, next)) {
+    return DicomStart::unknown;
+  }
+  const auto first_element = load<std::uint16_t>(bytes, 2, Endian::little);
+  if (load<std::uint16_t>(bytes, next + 2, Endian::little) <= first_element) {
+    return DicomStart::unknown;
+  }
+  return with_types ? DicomStart::explicit_data : DicomStart::implicit_data;
+}
+
+DicomStart start_of(const std::filesystem::path& path) {
+  ByteStream stream(path, Packing::plain);
+  std::array<std::byte, 256> bytes{};
+  const std::span<std::byte> start =
+      std::span(bytes).first(std::min<std::uint64_t>(bytes.size(), stream.most_left()));
+  stream.read(start, "its first bytes");
+  constexpr std::string_view magic = "DICM";
+  if (start.size() >= preamble_bytes &&
+      std::equal(magic.begin(), magic.end(), start.begin() + 128,
+                 [](char a, std::byte b) { return static_cast<std::byte>(a) == b; })) {
+    return DicomStart::preamble;
+  }
+  return start_of_data_set(start);
+}
+
 class Walker {
  public:
   Walker(const std::filesystem::path& path, DicomElements& found)
@@ -36,15 +84,17 @@ class Walker {
         what_(path.string()),
         found_(found) {}
 
-  void walk() {
-    std::array<std::byte, 132> start{};
-    stream_.read(start, "its first 132 bytes");
-    constexpr std::string_view magic = "DICM";
-    for (std::size_t i = 0; i < magic.size(); ++i) {
-      if (start[128 + i] != static_cast<std::byte>(magic[i])) refuse("is no DICOM file");
+  void walk(DicomStart start) {
+    if (start == DicomStart::unknown) refuse("is no DICOM file, or is cut short");
+    if (start == DicomStart::preamble) {
+      stream_.skip(preamble_bytes, "its first 132 bytes");
+      first_group();
+      start_data_set();
+    } else {
+      found_.transfer_syntax =
+          start == DicomStart::implicit_data ? implicit_little : explicit_little;
+      explicit_ = start == DicomStart::explicit_data;
     }
-    first_group();
-    start_data_set();
     while (stream_.most_left() > 0) top_level_element();
   }
 
@@ -140,7 +190,7 @@ class Walker {
     if (found_.transfer_syntax == "1.2.840.10008.1.2.1.99") {
       refuse("is deflated as a whole; convert it with: gdcmconv --raw");
     }
-    explicit_ = found_.transfer_syntax != "1.2.840.10008.1.2";
+    explicit_ = found_.transfer_syntax != implicit_little;
     endian_ = found_.transfer_syntax == "1.2.840.10008.1.2.2" ? Endian::big : Endian::little;
     found_.endian = endian_;
   }
@@ -220,17 +270,12 @@ class Walker {
 
 DicomElements read_dicom_elements(const std::filesystem::path& path) {
   DicomElements found;
-  Walker(path, found).walk();
+  Walker(path, found).walk(start_of(path));
   return found;
 }
 
 bool looks_like_dicom(const std::filesystem::path& path) {
-  ByteStream stream(path, Packing::plain);
-  std::array<std::byte, 132> start{};
-  if (stream.most_left() < start.size()) return false;
-  stream.read(start, "its first 132 bytes");
-  return start[128] == std::byte{'D'} && start[129] == std::byte{'I'} &&
-         start[130] == std::byte{'C'} && start[131] == std::byte{'M'};
+  return start_of(path) != DicomStart::unknown;
 }
 
 std::string text_of(const DicomElements& elements, DicomTag tag) {

@@ -27,10 +27,12 @@ struct DicomElements {
 
 /// Walks the elements to the file's end. Pixels are not read. Throws InvalidInput if an element
 /// reaches beyond the file or its sequence, if the file ends within one, if sequences nest deeper
-/// than 32 times, and for deflated files. Files without the 128 bytes and "DICM" are refused.
+/// than 32 times, and for deflated files. A file without the 128 bytes and "DICM" must begin with
+/// the data set itself, its group 8, little-endian, and is refused otherwise.
 DicomElements read_dicom_elements(const std::filesystem::path& path);
 
-/// Whether the file begins as DICOM files do. Throws InvalidInput if it cannot be read.
+/// Whether the file begins as DICOM files do, or as the data set of one without their first 132
+/// bytes. Throws InvalidInput if it cannot be read.
 bool looks_like_dicom(const std::filesystem::path& path);
 
 /// A text value without its padding; empty if it is missing.

@@ -14,7 +14,7 @@ struct Extension {
 };
 
 // In the order in which messages list them.
-constexpr std::array<Extension, 14> extensions{{{".raw", FileKind::raw},
+constexpr std::array<Extension, 16> extensions{{{".raw", FileKind::raw},
                                                 {".vdb", FileKind::vdb},
                                                 {".nii", FileKind::nifti},
                                                 {".hdr", FileKind::nifti},
@@ -26,6 +26,8 @@ constexpr std::array<Extension, 14> extensions{{{".raw", FileKind::raw},
                                                 {".dcm", FileKind::dicom},
                                                 {".tif", FileKind::tiff},
                                                 {".tiff", FileKind::tiff},
+                                                {".png", FileKind::png},
+                                                {".bmp", FileKind::bmp},
                                                 {".npy", FileKind::npy},
                                                 {".vti", FileKind::vti}}};
 

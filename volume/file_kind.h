@@ -7,7 +7,7 @@
 
 namespace isoloop {
 
-enum class FileKind { raw, vdb, nifti, nrrd, meta_image, dicom, tiff, npy, vti };
+enum class FileKind { raw, vdb, nifti, nrrd, meta_image, dicom, tiff, png, bmp, npy, vti };
 
 /// By the extension, whatever its case. Nothing for one that isoloop does not know.
 std::optional<FileKind> file_kind(const std::filesystem::path& path);

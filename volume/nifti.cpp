@@ -290,11 +290,12 @@ void place_volume(const Header& header, const FormatOptions& options, Volume& vo
   if (has_sform && has_qform) compare_forms(header, by_sform, volume);
 }
 
-void add_unit(const Header& header, Volume& volume) {
+void add_unit(const Header& header, const FormatOptions& options, Volume& volume) {
   constexpr std::array<const char*, 4> units{"", "m", "mm", "micrometres"};
   const auto code = static_cast<std::size_t>(header.units & 7);
   if (code > 0 && code < units.size()) {
     volume.notes.push_back(std::string("lengths are in ") + units[code]);
+    if (!options.spacing) volume.unit = code == 3 ? "µm" : units[code];
   }
 }
 
@@ -351,7 +352,7 @@ Volume read_nifti(const std::filesystem::path& path, const FormatOptions& option
   Volume volume;
   volume.dims = header.layout.dims;
   place_volume(header, options, volume, what);
-  add_unit(header, volume);
+  add_unit(header, options, volume);
   add_scale_note(header.layout, volume);
   const std::uint64_t frame = choose_frame(header.layout, options.frame, what);
   if (header.detached) {

@@ -17,6 +17,8 @@
 #include "volume/nifti.h"
 #include "volume/npy.h"
 #include "volume/nrrd.h"
+#include "volume/slice_file.h"
+#include "volume/slice_folder.h"
 #include "volume/tiff.h"
 #include "volume/vdb.h"
 #include "volume/vti.h"
@@ -36,8 +38,19 @@ bool is_step(const std::filesystem::path& path) {
 Volume read_folder(const std::filesystem::path& path, const ReadOptions& options) {
   const VoxelLimits limits = limits_of(options);
   if (holds_dicom(path)) return read_dicom(path, options.format, limits);
+  const bool slices = holds_slices(path);
+  const bool within = holds_dicom_within(path);
+  if (slices && within) {
+    throw InvalidInput(path.string() +
+                       ": holds images itself and DICOM slices in folders within it; give the "
+                       "folder of those that are meant");
+  }
+  if (slices) return read_slice_folder(path, options.format, limits);
+  if (within) return read_dicom(path, options.format, limits);
   throw InvalidInput(path.string() +
-                     ": is a folder without DICOM slices; give a file: " + supported_extensions());
+                     ": is a folder without slices that isoloop reads (DICOM, TIFF, PNG or BMP); "
+                     "it holds " +
+                     folder_contents(path) + "; give a file: " + supported_extensions());
 }
 
 Volume read_by_kind(const std::filesystem::path& path, const ReadOptions& options) {
@@ -77,6 +90,9 @@ Volume read_by_kind(const std::filesystem::path& path, const ReadOptions& option
       return read_dicom(path, options.format, limits);
     case FileKind::tiff:
       return read_tiff(path, options.format, limits);
+    case FileKind::png:
+    case FileKind::bmp:
+      return read_slice_volume(path, options.format, limits);
     case FileKind::npy:
       return read_npy(path, options.format, limits);
     case FileKind::vti:

@@ -30,13 +30,13 @@ struct ReadOptions {
   std::optional<CropBox> crop{};   // voxels to keep, counted as the volume is without; unset: all
 };
 
-/// Reads a .raw or .vdb file, or a mesh that it voxelises; see read_raw, read_vdb and voxelize for
-/// shape and frame. The result holds no NaN.
-/// With `crop` it is that part, see crop(): of raw, NIfTI, NRRD, MetaImage and NumPy files (in C
-/// order) no other voxels are held in memory, of other files all are.
-/// Throws InvalidArgument (options that do not fit the file, such as `crop` for a mesh),
-/// LimitExceeded (more voxels than max_bytes allows; before they are asked for), and InvalidInput
-/// (a file that is missing, of another kind, damaged, or that holds NaN while nan_as is unset).
+/// Reads a file of any kind that it knows, a folder of slices, or a mesh that it voxelises; see
+/// read_raw, read_vdb, read_dicom, read_slice_folder and voxelize for shape and frame. The result
+/// holds no NaN. With `crop` it is that part, see crop(): of raw, NIfTI, NRRD, MetaImage and NumPy
+/// files (in C order) no other voxels are held in memory, of other files all are. Throws
+/// InvalidArgument (options that do not fit the file, such as `crop` for a mesh), LimitExceeded
+/// (more voxels than max_bytes allows; before they are asked for), and InvalidInput (a file that is
+/// missing, of another kind, damaged, or that holds NaN while nan_as is unset).
 Volume read_volume(const std::filesystem::path& path, const ReadOptions& options = {});
 
 }  // namespace isoloop

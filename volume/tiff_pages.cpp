@@ -1,5 +1,6 @@
 #include "volume/tiff_pages.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <fstream>
@@ -18,6 +19,7 @@ constexpr std::uint16_t strip_offsets_tag = 273;
 constexpr std::uint16_t strip_counts_tag = 279;
 constexpr std::uint16_t tile_offsets_tag = 324;
 constexpr std::uint16_t tile_counts_tag = 325;
+constexpr std::uint64_t longest_description = std::uint64_t{1} << 26;
 
 /// One entry of a directory: where its values are.
 struct Entry {
@@ -43,6 +45,8 @@ class Walker {
       at = directory(at, pages);
     }
     if (pages.at.empty()) refuse("has no pages");
+    pages.endian = endian_;
+    pages.file_bytes = size_;
     return pages;
   }
 
@@ -132,6 +136,20 @@ class Walker {
     }
   }
 
+  void describe(const Entry& entry, TiffPages& pages) {
+    if (entry.count > longest_description) refuse("has a description of more than 64 MiB");
+    pages.description.resize(entry.count);
+    read(entry.at, std::as_writable_bytes(std::span(pages.description)));
+    pages.description.resize(std::min(pages.description.find('\0'), pages.description.size()));
+  }
+
+  // The first page's strips, as long as each begins where the one before ends.
+  void add_to_row(std::uint64_t strip, std::uint64_t from, std::uint64_t bytes, TiffPages& pages) {
+    if (strip == 0) pages.pixels_at = from;
+    in_a_row_ = strip == 0 || (in_a_row_ && from == pages.pixels_at + pages.pixel_bytes);
+    pages.pixel_bytes = in_a_row_ ? pages.pixel_bytes + bytes : 0;
+  }
+
   std::uint64_t directory(std::uint64_t at, TiffPages& pages) {
     const std::uint64_t count = big_ ? number<std::uint64_t>(at) : number<std::uint16_t>(at);
     const std::uint64_t first = at + (big_ ? 8 : 2);
@@ -145,17 +163,19 @@ class Walker {
       const Entry one = entry(first + i * width);
       if (one.tag == strip_offsets_tag || one.tag == tile_offsets_tag) offsets = one;
       if (one.tag == strip_counts_tag || one.tag == tile_counts_tag) counts = one;
-      const bool describes = one.tag == description_tag && one.type == 2 && one.count < 65536;
-      if (describes && pages.at.empty()) {
-        pages.description.resize(one.count);
-        read(one.at, std::as_writable_bytes(std::span(pages.description)));
-      }
+      const bool describes = one.tag == description_tag && (one.type == 2 || one.type == 1);
+      if (describes && pages.at.empty()) describe(one, pages);
     }
     if (offsets.count == 0 || offsets.count != counts.count) {
       refuse("does not state where each of its strips is and how long");
     }
     count_entries(offsets.count);
-    for (std::uint64_t i = 0; i < offsets.count; ++i) check(value(offsets, i), value(counts, i));
+    for (std::uint64_t i = 0; i < offsets.count; ++i) {
+      const std::uint64_t from = value(offsets, i);
+      const std::uint64_t bytes = value(counts, i);
+      check(from, bytes);
+      if (pages.at.empty()) add_to_row(i, from, bytes, pages);
+    }
     pages.at.push_back(at);
     return place(first + count * width);
   }
@@ -166,6 +186,7 @@ class Walker {
   std::ifstream file_;
   Endian endian_ = Endian::little;
   bool big_ = false;
+  bool in_a_row_ = false;
 };
 
 }  // namespace

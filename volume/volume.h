@@ -45,6 +45,7 @@ struct Volume {
   VoxelArray values{};
   Index3 dims{};                // voxels along each axis, each at least 1
   Vec3 spacing{1.0, 1.0, 1.0};  // length per voxel along each index axis
+  std::string unit{};           // of the spacing: "mm", "µm" and the like; empty: not stated
   Vec3 origin{0.0, 0.0, 0.0};   // world position of the centre of voxel (0, 0, 0)
   // direction[a]: unit world vector along index axis a
   std::array<Vec3, 3> direction{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};

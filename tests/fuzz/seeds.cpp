@@ -13,6 +13,7 @@
 #include "tests/nifti_samples.h"
 #include "tests/npy_samples.h"
 #include "tests/nrrd_samples.h"
+#include "tests/slice_samples.h"
 #include "tests/tiff_samples.h"
 #include "tests/vti_samples.h"
 #include "volume/shapes.h"
@@ -173,6 +174,33 @@ void write_tiff_seeds() {
   }
   write("signed", {.format = SAMPLEFORMAT_INT});
   write("stack", {.pages = 6, .description = "ImageJ=1.53\nimages=6\nslices=2\nframes=3\n"});
+  write("channels", {.pages = 6,
+                     .description = "ImageJ=1.53\nimages=6\nchannels=3\nslices=2\nspacing=2\n"
+                                    "unit=um\n",
+                     .per_unit = 2.0F});
+  write("shaped", {.pages = 6, .description = R"({"shape": [2, 3, 4, 5]})"});
+  write("shaped_axes", {.pages = 6, .description = R"({"shape": [3, 2, 4, 5], "axes": "CZYX"})"});
+  const std::string order = "DimensionOrder=\"XYCZT\" ";
+  write("ome", {.pages = 6,
+                .description = test::ome_xml(order + "PhysicalSizeX=\"0.5\" PhysicalSizeZ=\"2\"",
+                                             "<TiffData IFD=\"0\" PlaneCount=\"6\"/>")});
+  write("ome_blocks", {.pages = 6,
+                       .description = test::ome_xml(
+                           order,
+                           "<TiffData IFD=\"3\" PlaneCount=\"3\"/><TiffData FirstZ=\"1\" "
+                           "PlaneCount=\"3\"/>")});
+  write("depth", {.tiled = true, .pages = 1, .depth = 3});
+  write_seed("tiff", "one_page", test::one_page_tiff_bytes(6, "ImageJ=1.53\nimages=6\nslices=6\n"));
+}
+
+void write_slice_seeds() {
+  int number = 0;
+  for (const test::PngSample& sample : test::every_sort_of_png()) {
+    write_seed("png", std::to_string(number++), sample.file());
+  }
+  for (const test::BmpSample& sample : test::every_sort_of_bmp()) {
+    write_seed("bmp", std::to_string(number++), sample.file());
+  }
 }
 
 void write_vdb_seeds() {
@@ -243,6 +271,7 @@ int main(int argc, char** argv) {
   write_vti_seeds();
   write_dicom_seeds();
   write_tiff_seeds();
+  write_slice_seeds();
   write_vdb_seeds();
   write_mesh_seeds();
 }
