@@ -62,6 +62,13 @@ Step step_at(std::int64_t resolution, const Mesh& mesh, const MeshCounts& counts
   return step;
 }
 
+/// Whether the last counts are the mesh's own, or where it has none those of the step before.
+bool ends_with_answer(const std::vector<Attempt>& attempts, const MeshCounts& counts) {
+  const Betti& last = attempts.back().betti;
+  if (counts.betti) return *counts.betti == last;
+  return attempts.size() > 1 && attempts[attempts.size() - 2].betti == last;
+}
+
 /// What was found, for the reader of the result.
 void tell(const std::vector<Attempt>& attempts, const std::string& limit, const MeshCounts& counts,
           const std::string& what, Volume& volume) {
@@ -103,12 +110,9 @@ Volume voxelize_until_counts_agree(const Mesh& mesh, const VoxelSize& size,
       limit = step.limit;
       break;
     }
-    const std::optional<Betti> wanted = counts.betti       ? counts.betti
-                                        : attempts.empty() ? std::nullopt
-                                                           : std::optional(attempts.back().betti);
     attempts.push_back({resolution, step.betti});
     best = std::move(step.volume);
-    if (wanted && *wanted == step.betti) break;
+    if (ends_with_answer(attempts, counts)) break;
     // The best so far is kept while the next is made.
     left.max_bytes = max_bytes - std::min(max_bytes - 1, voxel_bytes(*best));
   }
