@@ -1,8 +1,10 @@
 #include "volume/mesh_weld.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <numeric>
 #include <optional>
 #include <unordered_map>
@@ -95,10 +97,9 @@ std::vector<std::uint32_t> joints(const Mesh& mesh, double tolerance) {
 }
 
 std::string text(double number) {
-  std::string digits(32, '\0');
-  digits.resize(
-      static_cast<std::size_t>(std::snprintf(digits.data(), digits.size(), "%.3g", number)));
-  return digits;
+  std::array<char, 32> digits{};
+  std::snprintf(digits.data(), digits.size(), "%.3g", number);
+  return digits.data();
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "volume/voxelize_auto.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <new>
 #include <optional>
 #include <utility>
@@ -26,6 +28,12 @@ std::string text(const std::vector<Attempt>& attempts) {
             betti_text(attempt.betti);
   }
   return text;
+}
+
+std::string short_text(double length) {
+  std::array<char, 32> digits{};
+  std::snprintf(digits.data(), digits.size(), "%.4g", length);
+  return digits.data();
 }
 
 std::uint64_t voxel_bytes(const Volume& volume) {
@@ -74,9 +82,10 @@ void tell(const std::vector<Attempt>& attempts, const std::string& limit, const 
           const std::string& what, Volume& volume) {
   const std::string last = std::to_string(attempts.back().resolution);
   const std::string found = "the voxels have " + text(attempts);
-  const std::string own =
-      counts.betti ? ", the mesh itself " + betti_text(*counts.betti)
-                   : ", and the mesh has no counts of its own, because " + counts.unknown;
+  std::string own = counts.betti
+                        ? ", the mesh itself " + betti_text(*counts.betti)
+                        : ", and the mesh has no counts of its own, because " + counts.unknown;
+  if (counts.gap) own += " with shells " + short_text(*counts.gap) + " apart";
   if (!limit.empty()) {
     volume.warnings.push_back(what + ": --resolution auto stopped at " + last + " before " +
                               (counts.betti ? "the counts agreed" : "the counts stayed the same") +
