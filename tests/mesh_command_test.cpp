@@ -65,11 +65,11 @@ TEST_F(MeshCommand, AutoRefinesUntilTheyAgree) {
   EXPECT_EQ(result.err, "");
   EXPECT_TRUE(holds(result.out, "24 triangles in 2 shells: the voxels have the same\n"))
       << result.out;
-  EXPECT_TRUE(holds(result.out, "note        --resolution auto took 256")) << result.out;
+  EXPECT_TRUE(holds(result.out, "note        --resolution auto took 128")) << result.out;
   const ProcessResult limited =
-      run({"count", "boxes.stl", "--resolution", "auto", "--max-voxels", "1000000"});
+      run({"count", "boxes.stl", "--resolution", "auto", "--max-voxels", "100000"});
   EXPECT_EQ(limited.exit_code, 0) << limited.err;
-  EXPECT_TRUE(holds(limited.err, "stopped at 128 before the counts agreed")) << limited.err;
+  EXPECT_TRUE(holds(limited.err, "stopped at 64 before the counts agreed")) << limited.err;
   EXPECT_FALSE(holds(limited.err, "half the")) << limited.err;
   expect_failure({"count", "boxes.stl", "--resolution", "auto", "--max-voxels", "1000"}, 4,
                  "--max-voxels");

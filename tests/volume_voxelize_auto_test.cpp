@@ -14,7 +14,7 @@ using test::box_mesh;
 using test::contains;
 using test::joined;
 
-const Mesh close_boxes = joined(box_mesh({0, 0, 0}, {4, 1, 1}), box_mesh({0, 1.03, 0}, {4, 2, 1}));
+const Mesh close_boxes = joined(box_mesh({0, 0, 0}, {4, 1, 1}), box_mesh({0, 1.012, 0}, {4, 2, 1}));
 
 Volume refined(const Mesh& mesh, const VoxelLimits& limits = {}) {
   return voxelize_until_counts_agree(mesh, {.automatic = true}, limits, "a.stl");

@@ -47,7 +47,7 @@ Triangle triangle_of(const Mesh& mesh, std::size_t t) {
   return triangle;
 }
 
-/// Whether both points, in the plane of the triangle, lie beyond one of its sides.
+/// Whether both points, as seen along the axis, lie beyond one of the triangle's sides.
 bool lie_beyond_a_side(const Vec3& p, const Vec3& q, const Triangle& t) {
   for (std::size_t c = 0; c < 3; ++c) {
     const Vec3& from = t.corners[c];
@@ -70,10 +70,13 @@ bool segment_meets(const Vec3& p, const Vec3& q, const Triangle& t) {
   const int side_of_p = side_of_plane(a, b, c, p);
   const int side_of_q = side_of_plane(a, b, c, q);
   if (side_of_p * side_of_q > 0) return false;
-  if (side_of_p == 0 && side_of_q == 0) {
-    return !lie_beyond_a_side(p, q, t) &&
-           !all_on_one_side([&](std::size_t i) { return turn(p, q, t.corners[i], t.axis); });
+  // As seen along the axis they lie apart: this also tells triangles apart that share a plane but
+  // for the rounding of their corners.
+  if (lie_beyond_a_side(p, q, t) ||
+      all_on_one_side([&](std::size_t i) { return turn(p, q, t.corners[i], t.axis); })) {
+    return false;
   }
+  if (side_of_p == 0 && side_of_q == 0) return true;
   if (side_of_p == 0) return !lie_beyond_a_side(p, p, t);
   if (side_of_q == 0) return !lie_beyond_a_side(q, q, t);
   bool has_left = false;
