@@ -69,7 +69,7 @@ TEST_F(MeshCommand, AutoRefinesUntilTheyAgree) {
   const ProcessResult limited =
       run({"count", "boxes.stl", "--resolution", "auto", "--max-voxels", "100000"});
   EXPECT_EQ(limited.exit_code, 0) << limited.err;
-  EXPECT_TRUE(holds(limited.err, "stopped at 64 before the counts agreed")) << limited.err;
+  EXPECT_TRUE(holds(limited.err, "--resolution auto took 64, the nearest")) << limited.err;
   EXPECT_FALSE(holds(limited.err, "half the")) << limited.err;
   expect_failure({"count", "boxes.stl", "--resolution", "auto", "--max-voxels", "1000"}, 4,
                  "--max-voxels");

@@ -27,10 +27,11 @@ std::string difference(const RunResult& run) { return difference_text(run, run.a
 TEST(MeshComparison, NamesBothCountsAndSmallerVoxels) {
   RunResult run = run_of({.b0 = 2, .b1 = 2, .b2 = 0});
   EXPECT_EQ(voxels_agree(run, run.analysis), false);
-  EXPECT_EQ(difference(run),
-            "rings.stl: the voxels have 1 component, 1 tunnel, 0 cavities, but the mesh itself 2 "
-            "components, 2 tunnels, 0 cavities: a wall or a gap is lost between voxels of 0.5; "
-            "try --voxel 0.25, half the present length, or --resolution auto");
+  EXPECT_EQ(
+      difference(run),
+      "rings.stl: the voxels have 1 component, 1 tunnel, 0 cavities, but the mesh itself 2 "
+      "components, 2 tunnels, 0 cavities: walls, gaps or sharp edges are finer than voxels of 0.5; "
+      "try --voxel 0.25, half the present length, or --resolution auto");
   run.volume.mesh->gap = 0.125;
   EXPECT_TRUE(holds(difference(run),
                     "try --voxel 0.0625, half the least gap between two shells (0.125), or"))

@@ -42,7 +42,7 @@ TEST(VoxelizeAuto, SaysWhichLimitEndsIt) {
   const Volume volume = refined(close_boxes, {.max_voxels = 1'000'000});
   EXPECT_DOUBLE_EQ(volume.spacing[0], 4.0 / 128);
   ASSERT_EQ(volume.warnings.size(), 1U);
-  for (const char* part : {"stopped at 128", "at 128 b0 1, b1 0, b2 0",
+  for (const char* part : {"--resolution auto took 128, the nearest", "at 128 b0 1, b1 0, b2 0",
                            "the mesh itself b0 2, b1 0, b2 0", "--max-voxels"}) {
     EXPECT_TRUE(contains(volume.warnings[0], part)) << volume.warnings[0];
   }

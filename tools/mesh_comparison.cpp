@@ -41,7 +41,7 @@ std::string difference_text(const RunResult& run, const Analysis& analysis) {
   const bool by_gap = mesh.gap && *mesh.gap < length;
   const double smaller = by_gap ? *mesh.gap / 2.0 : length / 2.0;
   return run.file + ": the voxels have " + counts_text(analysis.betti) + ", but the mesh itself " +
-         counts_text(*mesh.betti) + ": a wall or a gap is lost between voxels of " +
+         counts_text(*mesh.betti) + ": walls, gaps or sharp edges are finer than voxels of " +
          short_text(length) + "; try --voxel " + short_text(smaller) +
          (by_gap ? ", half the least gap between two shells (" + short_text(*mesh.gap) + ")"
                  : ", half the present length") +

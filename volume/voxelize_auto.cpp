@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <new>
 #include <optional>
 #include <utility>
@@ -48,7 +49,7 @@ Betti betti_of(const Volume& volume, std::uint64_t max_bytes) {
       .betti;
 }
 
-/// The volume at a resolution with its counts; or why the limits have no room for them.
+/// The volume at a resolution with its counts; or the limit that has no room for them.
 struct Step {
   std::optional<Volume> volume{};
   Betti betti{};
@@ -64,8 +65,9 @@ Step step_at(std::int64_t resolution, const Mesh& mesh, const MeshCounts& counts
     step.volume = std::move(volume);
   } catch (const LimitExceeded& error) {
     step.limit = error.what();
+    if (step.limit.starts_with(what + ": ")) step.limit.erase(0, what.size() + 2);
   } catch (const std::bad_alloc&) {
-    step.limit = what + ": there is not enough memory";
+    step.limit = "there is not enough memory";
   }
   return step;
 }
@@ -77,24 +79,31 @@ bool ends_with_answer(const std::vector<Attempt>& attempts, const MeshCounts& co
   return attempts.size() > 1 && attempts[attempts.size() - 2].betti == last;
 }
 
+/// How far counts are from the mesh's own; 0 where it has none.
+std::int64_t distance(const Betti& betti, const MeshCounts& counts) {
+  if (!counts.betti) return 0;
+  return std::abs(betti.b0 - counts.betti->b0) + std::abs(betti.b1 - counts.betti->b1) +
+         std::abs(betti.b2 - counts.betti->b2);
+}
+
 /// What was found, for the reader of the result.
-void tell(const std::vector<Attempt>& attempts, const std::string& limit, const MeshCounts& counts,
-          const std::string& what, Volume& volume) {
-  const std::string last = std::to_string(attempts.back().resolution);
-  const std::string found = "the voxels have " + text(attempts);
-  std::string own = counts.betti
-                        ? ", the mesh itself " + betti_text(*counts.betti)
+void tell(const std::vector<Attempt>& attempts, const Attempt& best, const std::string& limit,
+          const MeshCounts& counts, const std::string& what, Volume& volume) {
+  const std::string took = "--resolution auto took " + std::to_string(best.resolution);
+  std::string found = ": the voxels have " + text(attempts);
+  found += counts.betti ? ", the mesh itself " + betti_text(*counts.betti)
                         : ", and the mesh has no counts of its own, because " + counts.unknown;
-  if (counts.gap) own += " with shells " + short_text(*counts.gap) + " apart";
+  if (counts.gap) found += " with shells " + short_text(*counts.gap) + " apart";
   if (!limit.empty()) {
-    volume.warnings.push_back(what + ": --resolution auto stopped at " + last + " before " +
-                              (counts.betti ? "the counts agreed" : "the counts stayed the same") +
-                              ": " + found + own + "; " + limit);
+    volume.warnings.push_back(what + ": " + took +
+                              (counts.betti ? ", the nearest to the mesh's own counts"
+                                            : ", the finest, whose counts may not stay") +
+                              found + "; a limit ended it: " + limit);
   } else if (counts.betti) {
-    volume.notes.push_back("--resolution auto took " + last + ": " + found + own);
+    volume.notes.push_back(took + found);
   } else {
-    volume.warnings.push_back(what + ": --resolution auto took " + last +
-                              ", whose counts are those of half the resolution: " + found + own);
+    volume.warnings.push_back(what + ": " + took +
+                              ", whose counts are those of half the resolution" + found);
   }
 }
 
@@ -110,24 +119,28 @@ Volume voxelize_until_counts_agree(const Mesh& mesh, const VoxelSize& size,
       count_mesh(mesh, diagonal(box_of(mesh)) / static_cast<double>(first_resolution), max_bytes);
   VoxelLimits left{max_bytes, limits.max_voxels > 0 ? limits.max_voxels : most_automatic_voxels};
   std::vector<Attempt> attempts;
-  std::optional<Volume> best;
+  Attempt best;
+  std::optional<Volume> volume;  // that of the best
   std::string limit;
-  for (std::int64_t resolution = first_resolution; limit.empty(); resolution *= 2) {
+  for (std::int64_t resolution = first_resolution;; resolution *= 2) {
     Step step = step_at(resolution, mesh, counts, left, what);
     if (!step.volume) {
-      if (!best) throw LimitExceeded(step.limit);
+      if (!volume) throw LimitExceeded(what + ": " + step.limit);
       limit = step.limit;
       break;
     }
     attempts.push_back({resolution, step.betti});
-    best = std::move(step.volume);
+    if (!volume || distance(step.betti, counts) <= distance(best.betti, counts)) {
+      best = attempts.back();
+      volume = std::move(step.volume);
+    }
     if (ends_with_answer(attempts, counts)) break;
     // The best so far is kept while the next is made.
-    left.max_bytes = max_bytes - std::min(max_bytes - 1, voxel_bytes(*best));
+    left.max_bytes = max_bytes - std::min(max_bytes - 1, voxel_bytes(*volume));
   }
-  best->mesh->voxels = attempts.back().betti;
-  tell(attempts, limit, counts, what, *best);
-  return std::move(*best);
+  volume->mesh->voxels = best.betti;
+  tell(attempts, best, limit, counts, what, *volume);
+  return std::move(*volume);
 }
 
 }  // namespace isoloop
