@@ -82,7 +82,7 @@ TEST_F(FlagConflicts, ACountIsWantedInAFewWords) {
     std::vector<const char*> values;
   };
   for (const Case& one : std::vector<Case>{
-           {{"count", "a.off"}, "--resolution", {"-5", "0", "1.5", "many", "1e300"}},
+           {{"count", "a.off"}, "--resolution", {"-5", "0", "1.5", "many", "1e300", "Auto"}},
            {{"count", "a.off"}, "--voxel", {"-5", "0", "nan", "inf", "1e999"}},
            {{"loops", ring_}, "--threads", {"-1", "0", "1025", "99999999999999999999"}},
            {{"scan", ring_}, "--values", {"-1", "0", "65001", "x"}},

@@ -47,7 +47,8 @@ std::vector<Case> all_cases() {
           {"--crop", [](VolumeFlags& f) { f.crop = ":,:,:"; }, volumes},
           {"--nan-as", [](VolumeFlags& f) { f.nan_as = 0.0; }, volumes},
           {"--voxel", [](VolumeFlags& f) { f.voxel_size.length = 1.0; }, meshes},
-          {"--resolution", [](VolumeFlags& f) { f.voxel_size.resolution = 9; }, meshes}};
+          {"--resolution", [](VolumeFlags& f) { f.voxel_size.resolution = 9; }, meshes},
+          {"--resolution", [](VolumeFlags& f) { f.voxel_size.automatic = true; }, meshes}};
 }
 
 TEST(FlagKinds, AFlagIsRefusedWhereItMeansNothing) {

@@ -1,9 +1,11 @@
 // Small meshes of known topology, and their bytes in each format.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <map>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -43,6 +45,50 @@ inline Mesh torus_mesh(const Vec3& centre, double ring, double tube, std::uint32
       const std::uint32_t d = i * across + next_j;
       mesh.triangles.push_back({a, b, c});
       mesh.triangles.push_back({a, c, d});
+    }
+  }
+  return mesh;
+}
+
+/// A block with `holes` square holes through it, in a row: unit cubes of a 2 holes + 1 by 3 plan,
+/// whose faces are two triangles each.
+inline Mesh block_mesh(int holes) {
+  const int length = 2 * holes + 1;
+  const auto is_solid = [&](int x, int y, int z) {
+    const bool within = x >= 0 && x < length && y >= 0 && y < 3 && z == 0;
+    return within && !(y == 1 && x % 2 == 1);
+  };
+  Mesh mesh;
+  std::map<std::array<int, 3>, std::uint32_t> numbers;
+  const auto point = [&](const std::array<int, 3>& at) {
+    const auto [place, is_new] =
+        numbers.emplace(at, static_cast<std::uint32_t>(mesh.points.size()));
+    if (is_new) {
+      mesh.points.push_back(
+          {static_cast<double>(at[0]), static_cast<double>(at[1]), static_cast<double>(at[2])});
+    }
+    return place->second;
+  };
+  for (int x = 0; x < length; ++x) {
+    for (int y = 0; y < 3; ++y) {
+      for (std::size_t face = 0; face < 6 && is_solid(x, y, 0); ++face) {
+        const std::size_t a = face / 2;
+        std::array<int, 3> beyond{x, y, 0};
+        beyond[a] += face % 2 == 0 ? -1 : 1;
+        if (is_solid(beyond[0], beyond[1], beyond[2])) continue;
+        std::array<int, 3> corner{x, y, 0};
+        corner[a] += face % 2 == 0 ? 0 : 1;
+        std::array<std::uint32_t, 4> square{};
+        for (std::size_t c = 0; c < 4; ++c) {  // anticlockwise as seen from the end of axis a
+          std::array<int, 3> at = corner;
+          at[(a + 1) % 3] += c == 1 || c == 2 ? 1 : 0;
+          at[(a + 2) % 3] += c >= 2 ? 1 : 0;
+          square[c] = point(at);
+        }
+        if (face % 2 == 0) std::swap(square[1], square[3]);
+        mesh.triangles.push_back({square[0], square[1], square[2]});
+        mesh.triangles.push_back({square[0], square[2], square[3]});
+      }
     }
   }
   return mesh;

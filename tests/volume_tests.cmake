@@ -10,8 +10,12 @@ isoloop_add_tests(isoloop_volume_tests
     volume_file_kind_test.cpp
     volume_labels_test.cpp
     volume_memory_limit_test.cpp
+    volume_mesh_counts_test.cpp
+    volume_mesh_crossing_test.cpp
     volume_mesh_test.cpp
+    volume_mesh_tree_test.cpp
     volume_mesh_untidy_test.cpp
+    volume_mesh_weld_test.cpp
     volume_meta_image_test.cpp
     volume_nifti_test.cpp
     volume_npy_test.cpp
@@ -31,6 +35,7 @@ isoloop_add_tests(isoloop_volume_tests
     volume_vdb_message_test.cpp
     volume_vdb_test.cpp
     volume_volume_test.cpp
+    volume_voxelize_auto_test.cpp
     volume_voxelize_test.cpp
     volume_vti_test.cpp
     volume_write_test.cpp

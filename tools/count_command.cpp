@@ -9,6 +9,7 @@
 
 #include "core/base/errors.h"
 #include "tools/flag_checks.h"
+#include "tools/mesh_comparison.h"
 #include "tools/number_text.h"
 #include "tools/output_files.h"
 #include "tools/progress.h"
@@ -57,6 +58,7 @@ void count(const CountFlags& flags) {
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   run.cost.peak_bytes = peak_resident_bytes();
   progress.clear();
+  compare_with_mesh(run, run.analysis);
   outputs.write(run);
   if (!outputs.uses_stdout()) write_table(std::cout, run);
   finish_stdout();
@@ -78,6 +80,7 @@ void add_count_command(CLI::App& app) {
       "Examples:\n"
       "  isoloop count engine_256x256x128_uint8.raw --iso 70\n"
       "  isoloop count sphere.vdb --json counts.json\n"
+      "  isoloop count part.stl --resolution auto\n"
       "  isoloop count scan.raw --dims 512 512 300 --type i16 --iso 400 --json -");
   command.callback([flags] { count(*flags); });
 }

@@ -30,6 +30,16 @@ void want_whole_number(CLI::Option* option, std::int64_t least, std::int64_t mos
   });
 }
 
+void want_whole_number_or(CLI::Option* option, std::int64_t least, const std::string& word) {
+  option->check([=](const std::string& typed) {
+    const std::optional<std::int64_t> number = whole_number_of(typed);
+    return typed == word || (number && *number >= least)
+               ? ""
+               : wanted("a whole number from " + std::to_string(least) + " on, or " + word + ",",
+                        typed);
+  });
+}
+
 void want_positive_number(CLI::Option* option) {
   option->check([](const std::string& typed) {
     const std::optional<double> number = number_of(typed);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <string>
 
 #include "tools/cli_app.h"
 
@@ -11,6 +12,9 @@ namespace isoloop {
 /// Refuses what is no whole number from `least` to `most`.
 void want_whole_number(CLI::Option* option, std::int64_t least,
                        std::int64_t most = std::numeric_limits<std::int64_t>::max());
+
+/// Refuses what is neither a whole number from `least` on nor `word`.
+void want_whole_number_or(CLI::Option* option, std::int64_t least, const std::string& word);
 
 /// Refuses what is no finite number above 0.
 void want_positive_number(CLI::Option* option);

@@ -56,7 +56,8 @@ constexpr std::array<Rule, 15> rules{{
     {"--nan-as", [](const VolumeFlags& f) { return f.nan_as.has_value(); }, volumes, "volumes"},
     {"--voxel", [](const VolumeFlags& f) { return f.voxel_size.length.has_value(); }, mesh,
      "meshes"},
-    {"--resolution", [](const VolumeFlags& f) { return f.voxel_size.resolution.has_value(); }, mesh,
+    {"--resolution",
+     [](const VolumeFlags& f) { return f.voxel_size.resolution || f.voxel_size.automatic; }, mesh,
      "meshes"},
 }};
 

@@ -9,6 +9,7 @@
 #include "core/base/memory_budget.h"
 #include "tools/flag_kinds.h"
 #include "tools/input_flags.h"
+#include "tools/mesh_comparison.h"
 #include "tools/number_text.h"
 #include "tools/output_files.h"
 #include "tools/read_run.h"
@@ -59,6 +60,7 @@ void write_info(std::ostream& out, const VolumeFlags& flags, const Volume& volum
           : volume.mask    ? "no, a mask: --iso 0.5 --inside above unless stated otherwise"
                            : "no: --iso must be stated, --inside is above unless stated otherwise")
       << '\n';
+  if (volume.mesh) out << "mesh       " << mesh_text(*volume.mesh) << '\n';
   for (const std::string& note : volume.notes) out << "note       " << note << '\n';
   if (is_mask(range) && !volume.level_set && flags.label.empty()) {
     out << "note       " << mask_hint(range) << '\n';

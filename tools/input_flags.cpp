@@ -12,6 +12,7 @@
 #include "tools/flag_lists.h"
 #include "tools/value_hints.h"
 #include "volume/file_kind.h"
+#include "volume/header_text.h"
 
 namespace isoloop {
 namespace {
@@ -44,10 +45,14 @@ void check_volume_flags(CLI::App& command) {
   }
   for (const char* flag : {"--skip", "--frame", "--channel"})
     want_whole_number(command.get_option(flag), 0);
-  for (const char* flag : {"--resolution", "--max-voxels"}) {
-    want_whole_number(command.get_option(flag), 1);
-  }
+  want_whole_number(command.get_option("--max-voxels"), 1);
+  want_whole_number_or(command.get_option("--resolution"), 1, "auto");
   want_positive_number(command.get_option("--voxel"));
+}
+
+void take_resolution(const std::string& typed, VolumeFlags& flags) {
+  flags.voxel_size.automatic = typed == "auto";
+  flags.voxel_size.resolution = whole_number_of(typed);  // none of the word
 }
 
 }  // namespace
@@ -122,9 +127,11 @@ void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
                   "length of the voxels that a mesh is turned into, in its unit")
       ->type_name("LENGTH");
   command
-      .add_option("--resolution", flags.voxel_size.resolution,
-                  "or their number along the mesh's longest side")
-      ->type_name("VOXELS");
+      .add_option_function<std::string>(
+          "--resolution", [&flags](const std::string& typed) { take_resolution(typed, flags); },
+          "or their number along the mesh's longest side; auto doubles it from 64 on until the "
+          "voxels have the components, tunnels and cavities of the mesh")
+      ->type_name("VOXELS|auto");
   command
       .add_option("--nan-as", flags.nan_as, "read NaN voxels as this value; else they are refused")
       ->type_name("VALUE");

@@ -13,6 +13,7 @@
 #include "tools/engine_flags.h"
 #include "tools/flag_checks.h"
 #include "tools/loops_run.h"
+#include "tools/mesh_comparison.h"
 #include "tools/output_files.h"
 #include "tools/page.h"
 #include "tools/progress.h"
@@ -121,6 +122,7 @@ void find(const LoopsFlags& flags) {
   RunResult run = find_run(input, progress.callback());
   run.with_features = reports_features(flags);
   progress.clear();
+  compare_with_mesh(run, run.analysis);
   outputs.write(run);
   if (!outputs.uses_stdout()) {
     write_table(std::cout, run);

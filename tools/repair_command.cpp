@@ -13,6 +13,7 @@
 #include "core/base/errors.h"
 #include "core/base/stage.h"
 #include "tools/flag_checks.h"
+#include "tools/mesh_comparison.h"
 #include "tools/output_files.h"
 #include "tools/progress.h"
 #include "tools/read_run.h"
@@ -140,6 +141,7 @@ void repair(const CommandFlags& flags) {
   check_loops(result.repair.after);
   run.cost.peak_bytes = peak_resident_bytes();
   progress.clear();
+  compare_with_mesh(run, result.repair.before);
   if (!flags.dry_run) {
     apply(result.repair, run.volume);
     result.output = flags.output;

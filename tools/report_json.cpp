@@ -8,6 +8,7 @@
 
 #include "tools/engine_flags.h"
 #include "tools/input_flags.h"
+#include "tools/mesh_comparison.h"
 #include "tools/report_features.h"
 #include "tools/report_table.h"
 
@@ -51,6 +52,7 @@ Json input_of(const RunResult& run) {
           {"origin", volume.origin},
           {"direction", volume.direction},
           {"level_set", volume.level_set},
+          {"mesh", mesh_json(run, run.analysis)},
           {"minimum", run.range.min},
           {"maximum", run.range.max},
           {"nan_as", run.nan_as ? Json(*run.nan_as) : Json()},
@@ -174,6 +176,22 @@ void write_list(std::ostream& out, const char* name, const Items& items, const T
 Json part_json(const Volume& volume) {
   if (!volume.part) return {};
   return {{"first", volume.part->first}, {"of", volume.part->whole}};
+}
+
+Json mesh_json(const RunResult& run, const Analysis& analysis) {
+  if (!run.volume.mesh) return {};
+  const MeshCounts& mesh = *run.volume.mesh;
+  const std::optional<bool> agree = voxels_agree(run, analysis);
+  Json json = {{"triangles", mesh.triangles},
+               {"shells", mesh.betti ? Json(mesh.shells) : Json()},
+               {"swallowed", mesh.betti ? Json(mesh.swallowed) : Json()},
+               {"betti", Json()},
+               {"unknown", mesh.unknown.empty() ? Json() : Json(mesh.unknown)},
+               {"gap", mesh.gap ? Json(*mesh.gap) : Json()},
+               {"voxels_agree", agree ? Json(*agree) : Json()}};
+  if (mesh.betti)
+    json["betti"] = {{"b0", mesh.betti->b0}, {"b1", mesh.betti->b1}, {"b2", mesh.betti->b2}};
+  return json;
 }
 
 void write_json(std::ostream& out, const RunResult& run) {

@@ -20,4 +20,8 @@ void write_json(std::ostream& out, const RunResult& run);
 /// `of`; null: all of them.
 nlohmann::ordered_json part_json(const Volume& volume);
 
+/// The counts of the mesh that was voxelised, and whether those of `analysis` are the same (null:
+/// they cannot be held against each other); null for a volume.
+nlohmann::ordered_json mesh_json(const RunResult& run, const Analysis& analysis);
+
 }  // namespace isoloop

@@ -10,6 +10,7 @@
 
 #include "tools/input_flags.h"
 #include "tools/number_text.h"
+#include "tools/report_json.h"
 #include "tools/report_table.h"
 #include "volume/memory_limit.h"
 
@@ -126,7 +127,9 @@ void write_repair_json(std::ostream& out, const RepairRun& result) {
        {{"file", run.file},
         {"dims", run.volume.dims},
         {"type", type_name(run.volume.values)},
-        {"spacing", run.volume.spacing}}},
+        {"spacing", run.volume.spacing},
+        {"mesh", mesh_json(run, repair.before)},
+        {"warnings", run.volume.warnings}}},
       {"iso", run.level.iso},
       {"conventions",
        {{"inside", inside_text(run.level)},

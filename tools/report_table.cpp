@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tools/mesh_comparison.h"
 #include "tools/number_text.h"
 #include "tools/text_rows.h"
 #include "volume/memory_limit.h"
@@ -64,6 +66,16 @@ void write_level_note(std::ostream& out, const RunResult& run) {
     out << "note: iso " << iso << " is outside the value range " << range
         << ", so every voxel is inside and the surface is the border of the volume\n";
   }
+}
+
+// The counts that the mesh has by itself, and how the voxels were chosen.
+void write_mesh(std::ostream& out, const RunResult& run) {
+  if (!run.volume.mesh) return;
+  out << "mesh        " << mesh_text(*run.volume.mesh);
+  if (const std::optional<bool> agree = voxels_agree(run, run.analysis))
+    out << (*agree ? ": the voxels have the same" : ": the voxels have others");
+  out << '\n';
+  for (const std::string& note : run.volume.notes) out << "note        " << note << '\n';
 }
 
 void write_counts(std::ostream& out, const RunResult& run) {
@@ -241,6 +253,7 @@ void write_table(std::ostream& out, const RunResult& run) {
   out << run.file << ": " << volume_text(run.volume) << ", inside is " << inside_text(run.level)
       << "\n\n";
   write_counts(out, run);
+  write_mesh(out, run);
   write_level_note(out, run);
   if (run.with_loops)
     write_loops(out, run);

@@ -8,6 +8,7 @@
 
 #include "tools/flag_checks.h"
 #include "tools/loops_run.h"
+#include "tools/mesh_comparison.h"
 #include "tools/output_files.h"
 #include "tools/page.h"
 #include "tools/progress.h"
@@ -30,8 +31,9 @@ void view_loops(const ViewFlags& flags) {
     write_page(out, run, flags.page);
   });
   ProgressLine progress(std::cerr, progress_options(flags.progress));
-  const RunResult run = find_run(flags.input, progress.callback());
+  RunResult run = find_run(flags.input, progress.callback());
   progress.clear();
+  compare_with_mesh(run, run.analysis);
   outputs.write(run);
   if (!outputs.uses_stdout()) write_table(std::cout, run);
   finish_stdout();

@@ -21,6 +21,7 @@
 #include "volume/slice_folder.h"
 #include "volume/tiff.h"
 #include "volume/vdb.h"
+#include "volume/voxelize_auto.h"
 #include "volume/vti.h"
 
 namespace isoloop {
@@ -60,9 +61,13 @@ Volume read_by_kind(const std::filesystem::path& path, const ReadOptions& option
       throw InvalidArgument(path.string() + ": --crop is for volumes; a mesh is read whole");
     }
     const Mesh mesh = read_mesh(path, options.max_bytes);
+    if (options.voxel_size.automatic) {
+      return voxelize_until_counts_agree(mesh, options.voxel_size, limits, path.string());
+    }
     return voxelize(mesh, options.voxel_size, limits, path.string());
   }
-  if (options.voxel_size.length || options.voxel_size.resolution) {
+  const VoxelSize& size = options.voxel_size;
+  if (size.length || size.resolution || size.automatic) {
     throw InvalidArgument(
         path.string() + ": --voxel and --resolution are for meshes (.stl, .ply, " + ".obj, .off)");
   }

@@ -26,7 +26,7 @@ struct ReadOptions {
   std::optional<double> nan_as{};  // takes the place of NaN, in voxel values; unset: NaN is refused
   std::uint64_t max_bytes = 0;     // most bytes of voxels; 0: 80 % of the available memory
   std::uint64_t max_voxels = 0;    // most voxels; 0: no bound of its own
-  VoxelSize voxel_size{};          // of a mesh, see voxelize
+  VoxelSize voxel_size{};          // of a mesh, see voxelize and voxelize_until_counts_agree
   std::optional<CropBox> crop{};   // voxels to keep, counted as the volume is without; unset: all
 };
 

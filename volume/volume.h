@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/grid/grid.h"
+#include "volume/mesh_counts.h"
 
 namespace isoloop {
 
@@ -55,6 +56,7 @@ struct Volume {
   std::string name{};                   // of the grid within the file; empty where files hold one
   std::optional<StoredAt> stored_at{};  // unset where the file holds the voxels in another way
   std::optional<VolumePart> part{};     // unset: all voxels of the file
+  std::optional<MeshCounts> mesh{};     // of the mesh that was voxelised; unset: it was none
   std::vector<std::string> notes{};     // what was read how; a sentence each
   std::vector<std::string> warnings{};  // what a user should look at; a sentence each
 };

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/errors.h"
+#include "volume/mesh_box.h"
 #include "volume/mesh_closure.h"
 #include "volume/mesh_distance.h"
 #include "volume/mesh_winding.h"
@@ -15,25 +16,6 @@ namespace {
 
 // Around the mesh. The half keeps the faces of an upright box away from voxel centres.
 constexpr double margin = 2.5;
-
-struct Box {
-  Vec3 low{};
-  Vec3 high{};
-};
-
-Box box_of(const Mesh& mesh) {
-  const Vec3& some = mesh.points[mesh.triangles.front()[0]];
-  Box box{some, some};
-  for (const auto& triangle : mesh.triangles) {
-    for (const std::uint32_t corner : triangle) {
-      for (std::size_t a = 0; a < 3; ++a) {
-        box.low[a] = std::min(box.low[a], mesh.points[corner][a]);
-        box.high[a] = std::max(box.high[a], mesh.points[corner][a]);
-      }
-    }
-  }
-  return box;
-}
 
 double longest_side(const Box& box) {
   return std::max({box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]});
@@ -52,9 +34,9 @@ double voxel_length(const Box& box, const VoxelSize& size, const std::string& wh
   if (!(side > 0.0 && side < most_side)) {
     throw InvalidInput(what + ": the mesh has no extent that could be voxelised");
   }
-  if (size.length.has_value() == size.resolution.has_value()) {
+  if (size.automatic || size.length.has_value() == size.resolution.has_value()) {
     throw InvalidArgument(what + ": a mesh needs a voxel size, --voxel LENGTH or --resolution " +
-                          "VOXELS along its longest side, which is " + text(side));
+                          "VOXELS (or auto) along its longest side, which is " + text(side));
   }
   const double length = size.length ? *size.length : side / static_cast<double>(*size.resolution);
   if (!is_spacing(length)) {
@@ -135,7 +117,7 @@ std::vector<float> signed_distances(const Mesh& mesh, const std::vector<Vec3>& p
 }  // namespace
 
 Volume voxelize(const Mesh& mesh, const VoxelSize& size, const VoxelLimits& limits,
-                const std::string& what) {
+                const std::string& what, const std::optional<MeshCounts>& counts) {
   const Box box = box_of(mesh);
   const double length = voxel_length(box, size, what);
   Volume volume;
@@ -153,6 +135,7 @@ Volume voxelize(const Mesh& mesh, const VoxelSize& size, const VoxelLimits& limi
                               " points are in no face; the mesh is taken to be whole, but if the "
                               "file was cut short, parts of it are missing");
   }
+  volume.mesh = counts ? *counts : count_mesh(mesh, length, max_bytes);
   const std::vector<Vec3> points = index_points(mesh, volume.origin, length);
   std::vector<float> values =
       signed_distances(mesh, points, volume.dims, max_bytes, what, volume.warnings);

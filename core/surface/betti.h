@@ -14,6 +14,8 @@ struct Betti {
   std::int64_t b0 = 0;
   std::int64_t b1 = 0;
   std::int64_t b2 = 0;
+
+  bool operator==(const Betti&) const = default;
 };
 
 /// Of I by Alexander duality in the 3-sphere: every component of M is the outer border of one
