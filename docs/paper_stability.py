@@ -18,7 +18,7 @@ import numpy
 from scipy.optimize import linear_sum_assignment
 
 FAR = 1e6  # voxels: no loop of finite size is matched with one of infinite size if it can be helped
-MARGIN = 2.6  # shape_margin of volume/shape_field.h: voxels round a shape, on each side
+MARGIN = 2.6  # shape_margin of volume/shapes/shape_field.h: voxels round a shape, on each side
 
 # Name, and voxels along the longest axis: coarse, middle, fine.
 SHAPES = [

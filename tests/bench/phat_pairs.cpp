@@ -19,7 +19,7 @@
 #include <phat/representations/default_representations.h>
 
 #include "core/grid/level.h"
-#include "volume/read.h"
+#include "volume/files/read.h"
 
 namespace {
 

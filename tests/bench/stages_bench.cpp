@@ -15,7 +15,7 @@
 #include "core/sizes/geodesic_size.h"
 #include "core/surface/edge_index.h"
 #include "core/surface/surface.h"
-#include "volume/shapes.h"
+#include "volume/shapes/shapes.h"
 
 namespace isoloop {
 namespace {

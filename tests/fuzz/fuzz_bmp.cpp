@@ -1,5 +1,5 @@
 #include "tests/fuzz/target.h"
-#include "volume/slice_file.h"
+#include "volume/slices/slice_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace isoloop;

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "tests/fuzz/target.h"
-#include "volume/dicom.h"
+#include "volume/formats/dicom.h"
 
 namespace {
 

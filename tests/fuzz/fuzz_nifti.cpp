@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "tests/fuzz/target.h"
-#include "volume/nifti.h"
+#include "volume/formats/nifti.h"
 
 /// As one file, by the qform too, and as a pair: a header of NIfTI-1, and what follows.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

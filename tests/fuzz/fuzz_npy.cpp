@@ -1,5 +1,5 @@
 #include "tests/fuzz/target.h"
-#include "volume/npy.h"
+#include "volume/formats/npy.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace isoloop;

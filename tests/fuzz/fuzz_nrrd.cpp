@@ -1,5 +1,5 @@
 #include "tests/fuzz/header_target.h"
-#include "volume/nrrd.h"
+#include "volume/formats/nrrd.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace isoloop;

@@ -1,5 +1,5 @@
 #include "tests/fuzz/target.h"
-#include "volume/raw.h"
+#include "volume/formats/raw.h"
 
 /// The first byte says how the rest is read.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,5 +1,5 @@
 #include "tests/fuzz/target.h"
-#include "volume/tiff.h"
+#include "volume/slices/tiff.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace isoloop;

@@ -1,5 +1,5 @@
 #include "tests/fuzz/target.h"
-#include "volume/vdb.h"
+#include "volume/vdb/vdb.h"
 
 /// With the child: what OpenVDB does in it must not reach this process.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

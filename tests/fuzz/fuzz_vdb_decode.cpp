@@ -1,8 +1,8 @@
 #include <sstream>
 
 #include "tests/fuzz/target.h"
-#include "volume/vdb_decode.h"
-#include "volume/vdb_message.h"
+#include "volume/vdb/vdb_decode.h"
+#include "volume/vdb/vdb_message.h"
 
 /// What the child does, in this process: finds the defects of OpenVDB that the child is there for.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,7 +1,7 @@
 #include <sstream>
 
 #include "tests/fuzz/target.h"
-#include "volume/vdb_message.h"
+#include "volume/vdb/vdb_message.h"
 
 /// What a child that has been led astray might send.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,5 +1,5 @@
 #include "tests/fuzz/target.h"
-#include "volume/vti.h"
+#include "volume/formats/vti.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace isoloop;

@@ -6,9 +6,9 @@
 #include <string_view>
 
 #include "tests/fuzz/target.h"
-#include "volume/memory_limit.h"
-#include "volume/placement.h"
-#include "volume/volume.h"
+#include "volume/base/memory_limit.h"
+#include "volume/voxels/placement.h"
+#include "volume/voxels/volume.h"
 
 namespace isoloop::fuzz {
 

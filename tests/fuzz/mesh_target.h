@@ -2,8 +2,8 @@
 #pragma once
 
 #include "tests/fuzz/target.h"
-#include "volume/mesh.h"
-#include "volume/voxelize.h"
+#include "volume/mesh/mesh.h"
+#include "volume/voxelize/voxelize.h"
 
 namespace isoloop::fuzz {
 

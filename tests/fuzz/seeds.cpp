@@ -6,20 +6,20 @@
 #include <sstream>
 #include <string>
 
-#include "tests/byte_samples.h"
-#include "tests/dicom_samples.h"
-#include "tests/mesh_samples.h"
-#include "tests/meta_image_samples.h"
-#include "tests/nifti_samples.h"
-#include "tests/npy_samples.h"
-#include "tests/nrrd_samples.h"
-#include "tests/slice_samples.h"
-#include "tests/tiff_samples.h"
-#include "tests/vti_samples.h"
-#include "volume/shapes.h"
-#include "volume/vdb.h"
-#include "volume/vdb_decode.h"
-#include "volume/vdb_message.h"
+#include "tests/samples/byte_samples.h"
+#include "tests/samples/dicom_samples.h"
+#include "tests/samples/mesh_samples.h"
+#include "tests/samples/meta_image_samples.h"
+#include "tests/samples/nifti_samples.h"
+#include "tests/samples/npy_samples.h"
+#include "tests/samples/nrrd_samples.h"
+#include "tests/samples/slice_samples.h"
+#include "tests/samples/tiff_samples.h"
+#include "tests/samples/vti_samples.h"
+#include "volume/shapes/shapes.h"
+#include "volume/vdb/vdb.h"
+#include "volume/vdb/vdb_decode.h"
+#include "volume/vdb/vdb_message.h"
 
 namespace {
 

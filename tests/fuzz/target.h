@@ -13,7 +13,7 @@
 #include <unistd.h>
 
 #include "core/base/errors.h"
-#include "volume/crop.h"
+#include "volume/voxels/crop.h"
 
 namespace isoloop::fuzz {
 

@@ -18,7 +18,7 @@ endfunction()
 
 pieces_of("${FOLDER}/page.html" page)
 pieces_of("${FOLDER}/viewer.min.js" script)
-file(WRITE "${OUTPUT}" "#include \"tools/viewer_files.h\"
+file(WRITE "${OUTPUT}" "#include \"tools/page/viewer_files.h\"
 
 namespace isoloop {
 namespace {

@@ -10,7 +10,7 @@
 #include "core/base/errors.h"
 #include "core/base/threads.h"
 #include "tests/oracles/random_volumes.h"
-#include "tests/real_data.h"
+#include "tests/samples/real_data.h"
 
 namespace isoloop {
 namespace {

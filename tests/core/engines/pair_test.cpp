@@ -16,7 +16,7 @@
 #include "tests/oracles/explicit_complex.h"
 #include "tests/oracles/literal_pair.h"
 #include "tests/oracles/pair_comparison.h"
-#include "tests/real_data.h"
+#include "tests/samples/real_data.h"
 
 namespace isoloop {
 namespace {

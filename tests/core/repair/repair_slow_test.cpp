@@ -14,9 +14,9 @@
 #include "core/repair/repair.h"
 #include "core/repair/repair_round.h"
 #include "tests/oracles/random_volumes.h"
-#include "tests/real_data.h"
-#include "volume/read.h"
-#include "volume/shapes.h"
+#include "tests/samples/real_data.h"
+#include "volume/files/read.h"
+#include "volume/shapes/shapes.h"
 
 namespace isoloop {
 namespace {

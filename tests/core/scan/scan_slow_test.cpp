@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/oracles/scan_comparison.h"
-#include "tests/real_data.h"
-#include "volume/read.h"
+#include "tests/samples/real_data.h"
+#include "volume/files/read.h"
 
 namespace isoloop {
 namespace {

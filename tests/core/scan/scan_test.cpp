@@ -16,7 +16,7 @@
 #include "core/base/threads.h"
 #include "tests/oracles/random_volumes.h"
 #include "tests/oracles/scan_comparison.h"
-#include "tests/real_data.h"
+#include "tests/samples/real_data.h"
 
 namespace isoloop {
 namespace {

@@ -1,0 +1,184 @@
+// README.md stays true: its commands print what it shows, its program is the one that is compiled,
+// and it explains every flag and every field.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/samples/real_data.h"
+#include "tests/samples/run_process.h"
+#include "tests/samples/scratch_directory.h"
+
+namespace isoloop {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using Words = std::vector<std::string>;
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string readme() { return text_of(fs::path(ISOLOOP_SOURCE) / "README.md"); }
+
+Words split(const std::string& text, char separator) {
+  Words parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+/// Contents of README's fenced blocks of a language.
+Words blocks_of(const std::string& language) {
+  Words blocks;
+  const std::string text = readme();
+  const std::string fence = "\n```" + language + "\n";
+  for (std::size_t at = text.find(fence); at != std::string::npos; at = text.find(fence, at + 1)) {
+    const std::size_t begin = at + fence.size();
+    blocks.push_back(text.substr(begin, text.find("\n```\n", begin) + 1 - begin));
+  }
+  return blocks;
+}
+
+/// A command and the lines shown below it.
+struct Example {
+  Words arguments;
+  Words shown;
+};
+
+/// Those that run on `file`, in README's order.
+std::vector<Example> examples_on(const std::string& file) {
+  std::vector<Example> examples;
+  bool wanted = false;
+  for (const std::string& block : blocks_of("console")) {
+    for (const std::string& line : split(block, '\n')) {
+      if (line.starts_with("$ ")) {
+        Words words = split(line.substr(2), ' ');
+        wanted = words[0] == "isoloop" && std::count(words.begin(), words.end(), file) > 0;
+        if (wanted) examples.push_back({{words.begin() + 1, words.end()}, {}});
+      } else if (wanted) {
+        examples.back().shown.push_back(line);
+      }
+    }
+  }
+  return examples;
+}
+
+/// What must not change: rows of loops and lengths may, where a shorter loop is found.
+bool is_promised(const std::string& line) {
+  static const std::regex may_change(
+      R"( *[0-9]+  (handle|tunnel) .*|total length .*|id  kind .*|)");
+  return line != "..." && !std::regex_match(line, may_change);
+}
+
+/// Runs all of them in one directory and looks for each promised line.
+void expect_examples_to_hold(const std::string& file, const fs::path& directory) {
+  const std::vector<Example> examples = examples_on(file);
+  ASSERT_FALSE(examples.empty());
+  for (const Example& example : examples) {
+    const ProcessResult result = run_isoloop(directory, example.arguments);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const Words printed = split(result.out + result.err, '\n');
+    for (const std::string& line : example.shown) {
+      if (is_promised(line)) {
+        EXPECT_NE(std::find(printed.begin(), printed.end(), line), printed.end())
+            << "README shows\n"
+            << line << "\nbut " << example.arguments[0] << " prints\n"
+            << result.out << result.err;
+      }
+    }
+  }
+}
+
+TEST(Readme, CommandsOnTheBlockPrintWhatIsShown) {
+  const ScratchDirectory scratch;
+  expect_examples_to_hold("block.vdb", scratch.path());
+}
+
+TEST(Readme, CommandsOnTheEnginePrintWhatIsShown) {
+  const std::string name = "engine_256x256x128_uint8.raw";
+  ISOLOOP_NEEDS("volumes/" + name);
+  const ScratchDirectory scratch;
+  fs::create_symlink(fs::absolute(testing::data("volumes/" + name)), scratch.path() / name);
+  expect_examples_to_hold(name, scratch.path());
+}
+
+TEST(Readme, ProgramIsTheOneThatIsCompiled) {
+  EXPECT_EQ(blocks_of("cpp"),
+            Words{text_of(fs::path(ISOLOOP_SOURCE) / "tests" / "readme_sample.cpp")});
+}
+
+TEST(Readme, ProgramFindsTheLoopsOfATorus) {
+  const ScratchDirectory scratch;
+  ASSERT_EQ(
+      run_isoloop(scratch.path(), {"generate", "torus", "--size", "32", "-o", "t.vdb"}).exit_code,
+      0);
+  const ProcessResult result = run_program(ISOLOOP_README_SAMPLE, scratch.path(), {"t.vdb"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const Words lines = split(result.out, '\n');
+  ASSERT_EQ(lines.size(), 3U) << result.out;
+  EXPECT_EQ(lines[0], "1 components, 1 tunnels, 0 cavities");
+  EXPECT_TRUE(lines[1].starts_with("handle loop, cut at "));
+  EXPECT_TRUE(lines[2].starts_with("tunnel loop, fill at "));
+  EXPECT_EQ(run_program(ISOLOOP_README_SAMPLE, scratch.path(), {"none.vdb"}).exit_code, 3);
+}
+
+std::set<std::string> flags_in(const std::string& text) {
+  static const std::regex flag("--[a-z][a-z-]*");
+  std::set<std::string> flags;
+  for (std::sregex_iterator it(text.begin(), text.end(), flag), end; it != end; ++it)
+    flags.insert(it->str());
+  return flags;
+}
+
+TEST(Readme, ExplainsEveryFlagAndNoOther) {
+  const ScratchDirectory scratch;
+  std::string help;
+  for (const char* command : {"info", "count", "scan", "loops", "view", "repair", "generate"})
+    help += run_isoloop(scratch.path(), {command, "-h"}).out;
+  help += run_isoloop(scratch.path(), {"-h"}).out;
+  std::set<std::string> known = flags_in(help);
+  std::set<std::string> explained = flags_in(readme());
+  for (const char* flag : {"--preset", "--target", "--build", "--parallel"}) explained.erase(flag);
+  EXPECT_EQ(explained, known);
+}
+
+void collect_keys(const Json& json, std::set<std::string>& keys) {
+  for (const auto& [key, value] : json.items()) {
+    if (json.is_object()) keys.insert(key);
+    if (value.is_structured()) collect_keys(value, keys);
+  }
+}
+
+TEST(Readme, ExplainsEveryFieldOfTheJsonAndEveryColumnOfTheTables) {
+  const ScratchDirectory scratch;
+  ASSERT_EQ(
+      run_isoloop(scratch.path(), {"generate", "torus", "--size", "32", "-o", "t.vdb"}).exit_code,
+      0);
+  ASSERT_EQ(
+      run_isoloop(scratch.path(), {"loops", "t.vdb", "--engine", "pair", "--features", "--json",
+                                   "t.json", "--csv", "t.csv", "--dump-pairs", "pairs.csv"})
+          .exit_code,
+      0);
+  std::set<std::string> fields;
+  collect_keys(Json::parse(scratch.read("t.json")), fields);
+  for (const char* table : {"t.csv", "pairs.csv"})
+    for (const std::string& column : split(split(scratch.read(table), '\n')[0], ','))
+      fields.insert(column);
+  const std::string text = readme();
+  for (const std::string& field : fields)
+    EXPECT_NE(text.find("`" + field + "`"), std::string::npos) << field;
+}
+
+}  // namespace
+}  // namespace isoloop

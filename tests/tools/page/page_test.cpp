@@ -1,0 +1,114 @@
+#include "tools/page/page.h"
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/samples/sample_run.h"
+
+namespace isoloop {
+namespace {
+
+std::string page_of(const RunResult& run) {
+  std::ostringstream out;
+  write_page(out, run);
+  return out.str();
+}
+
+nlohmann::json data_in(const std::string& page) {
+  const std::string head = "<script type=\"application/json\" id=\"data\">";
+  const std::size_t begin = page.find(head) + head.size();
+  return nlohmann::json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+}
+
+TEST(Page, HoldsTheSurfaceTheLoopsAndTheVolume) {
+  const auto data = data_in(page_of(torus_run()));
+  EXPECT_EQ(data["mesh"]["triangles"], 18);
+  EXPECT_EQ(data["mesh"]["positions"].get<std::string>().size(), 4 * 9 * 6 / 3);
+  ASSERT_EQ(data["loops"].size(), 2U);
+  EXPECT_EQ(data["loops"][0]["kind"], "handle");
+  EXPECT_EQ(data["loops"][1]["size"], nullptr) << "infinite";
+  EXPECT_EQ(data["loops"][0]["curves"][0].get<std::string>().size(), 4 * 3 * 6 / 3);
+  EXPECT_EQ(data["volume"]["dims"], (std::vector<int>{10, 10, 10}));
+  EXPECT_EQ(data["volume"]["block"], 1);
+}
+
+/// The numbers of points that the page's script reads.
+std::vector<int> points_of(const nlohmann::json& feature) {
+  static const std::string letters =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::vector<std::size_t> bytes;
+  std::size_t bits = 0;
+  std::size_t count = 0;
+  for (const char c : feature["points"].get<std::string>()) {
+    if (c == '=') break;
+    bits = bits << 6 | letters.find(c);
+    count += 6;
+    if (count < 8) continue;
+    count -= 8;
+    bytes.push_back(bits >> count & 0xFF);
+  }
+  std::vector<int> points;
+  int at = 0;
+  for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) {
+    at += static_cast<int>(bytes[i]);
+    for (std::size_t n = 0; n < bytes[i + 1]; ++n) points.push_back(at++);
+  }
+  return points;
+}
+
+TEST(Page, SaysWhichPointsLieInTheFeatures) {
+  const auto data = data_in(page_of(torus_run_with_features()));
+  const auto& handle = data["loops"][0]["feature"];
+  EXPECT_EQ(handle["depth"], 1.5);
+  EXPECT_EQ(points_of(handle), (std::vector<int>{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(points_of(data["loops"][1]["feature"]), (std::vector<int>{0, 3, 6, 7}));
+  EXPECT_FALSE(data_in(page_of(torus_run()))["loops"][0].contains("feature"));
+}
+
+TEST(Page, TakesTheVolumeInBlocksWhereItIsLarge) {
+  RunResult run = torus_run();
+  run.volume.values = std::vector<float>(1000, 2.0F);
+  std::ostringstream out;
+  write_page(out, run, {.most_triangles = 100, .most_voxels = 100});
+  const auto data = data_in(out.str());
+  EXPECT_EQ(data["volume"]["dims"], (std::vector<int>{4, 4, 4}));
+  EXPECT_EQ(data["volume"]["block"], 3);
+}
+
+TEST(Page, NeedsNoNetwork) {
+  const std::string page = page_of(torus_run());
+  for (const char* text : {"<link", "src=", "@import", "{{"})
+    EXPECT_EQ(page.substr(0, page.find("id=\"data\"")).find(text), std::string::npos) << text;
+  EXPECT_GT(page.size(), 400'000U) << "three.js is in it";
+}
+
+TEST(Page, NamesOfFilesDoNotEndItsScripts) {
+  RunResult run = torus_run();
+  run.file = "a</script><b>&.raw";
+  const std::string page = page_of(run);
+  EXPECT_EQ(data_in(page)["file"], run.file);
+  EXPECT_NE(page.find("<title>a&lt;/script>&lt;b>&amp;.raw, f <= 0.25"), std::string::npos)
+      << page.substr(0, 400);
+}
+
+TEST(Page, OfNoSurfaceHoldsNothingButTheVolume) {
+  const auto data = data_in(page_of(empty_run()));
+  EXPECT_EQ(data["mesh"]["triangles"], 0);
+  EXPECT_TRUE(data["loops"].empty());
+  EXPECT_EQ(data["box"]["upper"][0], 104.5);
+}
+
+TEST(Page, ShowsTheScanIfThereIsOne) {
+  RunResult run = torus_run();
+  EXPECT_EQ(page_of(run).find("<details id=\"scan\">"), std::string::npos);
+  run.scan = {{0.0, {1, 2, 0}, -2, 2, 10}, {1.0, {1, 2, 0}, -2, 2, 9}};
+  run.plateaus = find_plateaus(run.scan, 1000);
+  EXPECT_NE(page_of(run).find("<details id=\"scan\">"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace isoloop

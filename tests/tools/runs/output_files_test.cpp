@@ -1,0 +1,67 @@
+#include "tools/runs/output_files.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/errors.h"
+#include "tests/samples/sample_run.h"
+#include "tests/samples/scratch_directory.h"
+
+namespace isoloop {
+namespace {
+
+void write_name(std::ostream& out, const RunResult& run) { out << run.file; }
+void fail(std::ostream&, const RunResult&) { throw LimitExceeded("too many vertices"); }
+
+TEST(OutputFiles, LeavesNothingBeforeItWrites) {
+  const ScratchDirectory scratch;
+  OutputFiles outputs("in.raw");
+  outputs.add("--json", (scratch.path() / "a").string(), write_name);
+  EXPECT_TRUE(scratch.files().empty());
+  outputs.write(torus_run());
+  EXPECT_EQ(scratch.read("a"), "torus.raw");
+}
+
+TEST(OutputFiles, WritesNoneIfOneReportFails) {
+  const ScratchDirectory scratch;
+  scratch.write("a", "old");
+  OutputFiles outputs("in.raw");
+  outputs.add("--json", (scratch.path() / "a").string(), write_name);
+  outputs.add("--ply", (scratch.path() / "b").string(), fail);
+  EXPECT_THROW(outputs.write(torus_run()), LimitExceeded);
+  EXPECT_EQ(scratch.files(), std::vector<std::string>{"a"});
+  EXPECT_EQ(scratch.read("a"), "old");
+}
+
+TEST(OutputFiles, RefusesTheInputUnderAnyName) {
+  const ScratchDirectory scratch;
+  scratch.write("in.raw", "voxels");
+  std::filesystem::create_symlink(scratch.path() / "in.raw", scratch.path() / "link");
+  OutputFiles outputs(scratch.path() / "in.raw");
+  EXPECT_THROW(outputs.add("--ply", (scratch.path() / "." / "in.raw").string(), write_name),
+               InvalidArgument);
+  EXPECT_THROW(outputs.add("--ply", (scratch.path() / "link").string(), write_name),
+               InvalidArgument);
+}
+
+TEST(OutputFiles, RefusesOneFileTwice) {
+  const ScratchDirectory scratch;
+  OutputFiles outputs("in.raw");
+  outputs.add("--json", "-", write_name);
+  EXPECT_THROW(outputs.add("--csv", "-", write_name), InvalidArgument);
+  outputs.add("--csv", (scratch.path() / "a").string(), write_name);
+  EXPECT_THROW(outputs.add("--ply", (scratch.path() / "a").string(), write_name), InvalidArgument);
+  EXPECT_TRUE(outputs.uses_stdout());
+}
+
+TEST(OutputFiles, RefusesAFlagForAName) {
+  OutputFiles outputs("in.raw");
+  EXPECT_THROW(outputs.add("--json", "--ply", write_name), InvalidArgument);
+}
+
+TEST(OutputFiles, RefusesAFolderThatDoesNotExist) {
+  OutputFiles outputs("in.raw");
+  EXPECT_THROW(outputs.add("--json", "/no/such/folder/a", write_name), InvalidInput);
+}
+
+}  // namespace
+}  // namespace isoloop

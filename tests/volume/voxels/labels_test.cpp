@@ -1,0 +1,69 @@
+#include "volume/voxels/labels.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/errors.h"
+#include "tests/samples/volume_test_files.h"
+
+namespace isoloop {
+namespace {
+
+using test::contains;
+using test::message_of;
+
+TEST(Labels, BecomeAMask) {
+  const Volume map{.values = std::vector<std::int16_t>{0, 3, -1, 7, 3}, .dims = {5, 1, 1}};
+  const Volume mask = mask_of_labels(map, {3, -1}, "map");
+  EXPECT_EQ(std::get<std::vector<std::uint8_t>>(mask.values),
+            (std::vector<std::uint8_t>{0, 1, 1, 0, 1}));
+  EXPECT_TRUE(mask.mask);
+  EXPECT_EQ(mask.dims, map.dims);
+  EXPECT_TRUE(mask.warnings.empty());
+}
+
+TEST(Labels, AreTheWholeNumbersNearestToTheValues) {
+  const Volume map{.values = std::vector<float>{0, 2, 1.9999847F, 2.009F, 0.995F},
+                   .dims = {5, 1, 1}};
+  const Volume mask = mask_of_labels(map, {2}, "map");
+  EXPECT_EQ(std::get<std::vector<std::uint8_t>>(mask.values),
+            (std::vector<std::uint8_t>{0, 1, 1, 1, 0}));
+  ASSERT_EQ(mask.notes.size(), 2U);
+  EXPECT_TRUE(contains(mask.notes[1], "2 voxels of these labels")) << mask.notes[1];
+  EXPECT_TRUE(contains(mask.notes[1], "0.009")) << mask.notes[1];
+  EXPECT_TRUE(mask.warnings.empty());
+  EXPECT_EQ(mask_of_labels(map, {0}, "map").notes.size(), 1U);
+}
+
+TEST(Labels, AreNotTakenFromAVolumeOfOtherValues) {
+  std::vector<double> values(2000, 1.0);
+  values[7] = 1.5;
+  values[8] = 0.25;
+  const Volume map{.values = values, .dims = {2000, 1, 1}};
+  const Volume mask = mask_of_labels(map, {1}, "map");
+  ASSERT_EQ(mask.warnings.size(), 1U);
+  EXPECT_TRUE(contains(mask.warnings[0], "reason: 2")) << mask.warnings[0];
+  EXPECT_EQ(std::get<std::vector<std::uint8_t>>(mask.values)[7], 0);
+  values[9] = -1e300;
+  const std::string message = message_of<InvalidArgument>([&] {
+    mask_of_labels({.values = values, .dims = {2000, 1, 1}}, {1}, "map");
+  });
+  EXPECT_TRUE(contains(message, "3 of 2000 voxels") && contains(message, "1.5, 0.25")) << message;
+}
+
+TEST(Labels, OfManyAskedForAreAllTaken) {
+  const Volume map{.values = std::vector<std::uint16_t>{5, 4, 3, 2, 1, 0}, .dims = {6, 1, 1}};
+  EXPECT_EQ(std::get<std::vector<std::uint8_t>>(mask_of_labels(map, {1, 3, 3, 5}, "m").values),
+            (std::vector<std::uint8_t>{1, 0, 1, 0, 1, 0}));
+}
+
+TEST(Labels, ThatNoVoxelHasAreNamed) {
+  const Volume map{.values = std::vector<std::uint8_t>{0, 3, 7, 3}, .dims = {4, 1, 1}};
+  const std::string message = message_of<InvalidArgument>([&] {
+    mask_of_labels(map, {4, 5}, "map");
+  });
+  EXPECT_TRUE(contains(message, "4, 5") && contains(message, "0, 3, 7")) << message;
+  EXPECT_TRUE(contains(mask_of_labels(map, {3, 5}, "map").warnings.at(0), "label 5"));
+}
+
+}  // namespace
+}  // namespace isoloop

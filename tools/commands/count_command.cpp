@@ -1,0 +1,88 @@
+#include "tools/commands/count_command.h"
+
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "core/base/errors.h"
+#include "tools/reports/report_json.h"
+#include "tools/reports/report_table.h"
+#include "tools/runs/mesh_comparison.h"
+#include "tools/runs/output_files.h"
+#include "tools/runs/read_run.h"
+#include "tools/words/flag_checks.h"
+#include "tools/words/number_text.h"
+#include "tools/words/progress.h"
+
+namespace isoloop {
+namespace {
+
+struct CountFlags {
+  VolumeFlags volume;
+  LevelFlags level;
+  ProgressFlags progress;
+  std::string json;  // file, "-" or empty
+};
+
+/// A mask's hint says what the flags that it names would count.
+void complete_hint(RunResult& run) {
+  if (run.hint.empty()) return;
+  const IsoLevel level{.iso = run.range.max, .topology = Topology::connected_26};
+  try {
+    const Betti betti =
+        count_topology(view(run.volume), level, {.max_bytes = run.cost.max_bytes}).betti;
+    run.hint += ", which gives " + counted(betti.b0, "component", "components") + ", " +
+                counted(betti.b1, "tunnel", "tunnels") + " and " +
+                counted(betti.b2, "cavity", "cavities");
+  } catch (const LimitExceeded&) {  // what was asked for may have room all the same
+  }
+}
+
+void count(const CountFlags& flags) {
+  const auto start = std::chrono::steady_clock::now();
+  OutputFiles outputs(flags.volume.file);
+  outputs.add("--json", flags.json, write_json);
+  ProgressLine progress(std::cerr, progress_options(flags.progress));
+  RunResult run = read_run(flags.volume, flags.level);
+  run.with_loops = false;
+  complete_hint(run);
+  run.analysis = count_topology(view(run.volume), run.level,
+                                {.boundary = boundary_of(flags.level),
+                                 .progress = progress.callback(),
+                                 .max_bytes = run.cost.max_bytes});
+  check_counts(run.analysis);
+  run.cost.total_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  run.cost.peak_bytes = peak_resident_bytes();
+  progress.clear();
+  compare_with_mesh(run, run.analysis);
+  outputs.write(run);
+  if (!outputs.uses_stdout()) write_table(std::cout, run);
+  finish_stdout();
+}
+
+}  // namespace
+
+void add_count_command(CLI::App& app) {
+  CLI::App& command =
+      *app.add_subcommand("count", "count components, tunnels and cavities, without loops");
+  auto flags = std::make_shared<CountFlags>();
+  add_volume_flags(command, flags->volume);
+  add_level_flags(command, flags->level);
+  want_file_name(
+      command.add_option("--json", flags->json, "write the counts as JSON; - is standard output")
+          ->type_name("FILE|-"));
+  add_progress_flags(command, flags->progress);
+  command.footer(
+      "Examples:\n"
+      "  isoloop count engine_256x256x128_uint8.raw --iso 70\n"
+      "  isoloop count sphere.vdb --json counts.json\n"
+      "  isoloop count part.stl --resolution auto\n"
+      "  isoloop count scan.raw --dims 512 512 300 --type i16 --iso 400 --json -");
+  command.callback([flags] { count(*flags); });
+}
+
+}  // namespace isoloop

@@ -1,0 +1,184 @@
+#include "tools/commands/repair_command.h"
+
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "core/base/errors.h"
+#include "core/base/stage.h"
+#include "tools/flags/repair_flags.h"
+#include "tools/flags/thread_flag.h"
+#include "tools/reports/report_repair.h"
+#include "tools/runs/mesh_comparison.h"
+#include "tools/runs/output_files.h"
+#include "tools/runs/read_run.h"
+#include "tools/words/flag_checks.h"
+#include "tools/words/progress.h"
+#include "volume/base/atomic_file.h"
+#include "volume/base/file_kind.h"
+#include "volume/base/header_text.h"
+#include "volume/files/patch.h"
+#include "volume/files/write.h"
+#include "volume/formats/raw.h"
+
+namespace isoloop {
+namespace {
+
+struct CommandFlags {
+  VolumeFlags volume;
+  LevelFlags level;
+  RepairFlags repair;
+  std::string output;
+  std::string json;  // file, "-" or empty
+  bool dry_run = false;
+  int threads = 0;  // 0: one for each core
+  ProgressFlags progress;
+};
+
+/// ".raw", ".nii.gz", in lower case.
+std::string extension_of(const std::filesystem::path& path) {
+  const std::string last = lower_case(path.extension().string());
+  return last == ".gz" ? lower_case(path.stem().extension().string()) + last : last;
+}
+
+/// Whether the file can be copied with the changed voxels in their places. An .img file is none
+/// without its header.
+bool can_be_patched(const CommandFlags& flags, const Volume& volume) {
+  return volume.stored_at && !extension_of(flags.volume.file).starts_with(".img") &&
+         std::filesystem::equivalent(volume.stored_at->file, flags.volume.file);
+}
+
+/// Masks do not have the voxel type of the file that they were made from.
+void check_mask_file(const CommandFlags& flags, const Volume& volume) {
+  if (file_kind(flags.output) != FileKind::raw) return;
+  if (flags.volume.skip.value_or(0) > 0) {
+    throw InvalidArgument(
+        "masks are written without a header: --label goes with --skip for --dry-run only");
+  }
+  const auto layout = layout_from_name(flags.output);
+  if (layout && (layout->dims != volume.dims || layout->type != voxel_type(volume.values))) {
+    throw InvalidArgument("--output " + flags.output + " would hold a mask of " +
+                          dims_text(volume.dims) + " " + type_name(volume.values) +
+                          " voxels; name it so");
+  }
+}
+
+/// The output has the input's format, so that it keeps its type and geometry.
+void check_format(const CommandFlags& flags, const Volume& volume) {
+  const auto kind = file_kind(flags.volume.file);
+  if (extension_of(flags.output) != extension_of(flags.volume.file)) {
+    throw InvalidArgument("--output " + flags.output + " must be a file of the same format as " +
+                          flags.volume.file);
+  }
+  if (can_be_patched(flags, volume)) return;
+  if (volume.mask && is_written(flags.output)) return check_mask_file(flags, volume);
+  if (kind != FileKind::vdb) {
+    throw InvalidArgument(
+        flags.volume.file +
+        ": volumes are repaired in this format only if one file holds header and voxels, one after "
+        "another, of 32 bits at most if they are whole numbers, neither scaled nor compressed "
+        "otherwise than by gzip; convert it to such a file, of .nrrd for one");
+  }
+  if (voxel_type(volume.values) != VoxelType::float32) {
+    throw InvalidArgument("OpenVDB grids are written as float, which would round the voxels of " +
+                          flags.volume.file + "; convert it to a float grid first");
+  }
+}
+
+void apply(const Repair& repair, Volume& volume) {
+  std::visit(
+      [&]<class T>(std::vector<T>& values) {
+        for (const VoxelChange& change : repair.changes)
+          values[change.voxel] = static_cast<T>(change.after);
+      },
+      volume.values);
+}
+
+void write_repaired(const CommandFlags& flags, const Repair& repair, const Volume& volume) {
+  if (!can_be_patched(flags, volume)) {
+    write_volume(volume, flags.output);
+    return;
+  }
+  std::vector<std::size_t> voxels;
+  for (const VoxelChange& change : repair.changes) voxels.push_back(change.voxel);
+  AtomicFile file(flags.output);
+  write_patched(volume, voxels, file.stream());
+  file.commit();
+}
+
+void repair(const CommandFlags& flags) {
+  const auto start = std::chrono::steady_clock::now();
+  const RepairRequest request = repair_request(flags.repair);
+  if (!flags.volume.crop.empty()) {
+    throw InvalidArgument(
+        "--crop does not go with repair, which writes the whole file with some voxels changed");
+  }
+  if (flags.output.empty() && !flags.dry_run) {
+    throw InvalidArgument("give --output FILE for the repaired volume, or --dry-run");
+  }
+  RepairRun result;
+  OutputFiles outputs(flags.volume.file);
+  if (!flags.dry_run) outputs.reserve("--output", flags.output);
+  outputs.add("--json", flags.json,
+              [&result](std::ostream& out, const RunResult&) { write_repair_json(out, result); });
+  ProgressLine progress(std::cerr, progress_options(flags.progress));
+  RunResult& run = result.run;
+  run = read_run(flags.volume, flags.level);
+  if (!flags.dry_run) check_format(flags, run.volume);
+  result.repair = in_stage("repair", [&] {
+    return repair_loops(view(run.volume), run.level, request,
+                        {.boundary = boundary_of(flags.level),
+                         .progress = progress.callback(),
+                         .max_bytes = run.cost.max_bytes});
+  });
+  check_counts(result.repair.after);
+  check_loops(result.repair.after);
+  run.cost.peak_bytes = peak_resident_bytes();
+  progress.clear();
+  compare_with_mesh(run, result.repair.before);
+  if (!flags.dry_run) {
+    apply(result.repair, run.volume);
+    result.output = flags.output;
+    write_repaired(flags, result.repair, run.volume);
+  }
+  run.cost.total_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  outputs.write(run);
+  if (!outputs.uses_stdout()) write_repair_table(std::cout, result);
+  finish_stdout();
+}
+
+}  // namespace
+
+void add_repair_command(CLI::App& app) {
+  CLI::App& command =
+      *app.add_subcommand("repair", "cut handles and fill tunnels, and change nothing else");
+  auto flags = std::make_shared<CommandFlags>();
+  add_volume_flags(command, flags->volume);
+  add_level_flags(command, flags->level);
+  add_repair_flags(command, flags->repair);
+  want_file_name(
+      command
+          .add_option("-o,--output", flags->output, "the repaired volume, in the format of FILE")
+          ->type_name("FILE"));
+  command.add_flag("--dry-run", flags->dry_run, "report, and write no volume");
+  want_file_name(
+      command.add_option("--json", flags->json, "write the report as JSON; - is standard output")
+          ->type_name("FILE|-"));
+  add_thread_flag(command, flags->threads);
+  add_progress_flags(command, flags->progress);
+  command.footer(
+      "Examples:\n"
+      "  isoloop repair scan.raw --iso 70 --fill-tunnels 30 -o out_256x256x128_uint8.raw\n"
+      "  isoloop repair part.vdb --ids h3,t7 -o repaired.vdb\n"
+      "  isoloop repair part.vdb --genus 0 --dry-run");
+  command.callback([flags] { on_threads(flags->threads, [&] { repair(*flags); }); });
+}
+
+}  // namespace isoloop

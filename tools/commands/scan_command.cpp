@@ -1,0 +1,96 @@
+#include "tools/commands/scan_command.h"
+
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "core/base/errors.h"
+#include "core/base/stage.h"
+#include "core/scan/scan.h"
+#include "tools/reports/report_scan.h"
+#include "tools/reports/scan_plot.h"
+#include "tools/runs/output_files.h"
+#include "tools/runs/read_run.h"
+#include "tools/runs/scan_run.h"
+#include "tools/words/flag_checks.h"
+#include "tools/words/progress.h"
+
+namespace isoloop {
+namespace {
+
+struct ScanFlags {
+  VolumeFlags volume;
+  LevelFlags level;
+  ScanRange range;
+  ProgressFlags progress;
+  std::string json;  // file, "-" or empty
+  std::string csv;   // file, "-" or empty
+  std::string svg;   // file, "-" or empty
+};
+
+void scan(const ScanFlags& flags) {
+  const auto start = std::chrono::steady_clock::now();
+  OutputFiles outputs(flags.volume.file);
+  outputs.add("--json", flags.json, write_scan_json);
+  outputs.add("--csv", flags.csv, write_scan_csv);
+  outputs.add("--svg", flags.svg, write_scan_svg);
+  if (!flags.volume.label.empty()) {
+    throw InvalidArgument("scan looks for an iso value, and --label takes none; use count");
+  }
+  ProgressLine progress(std::cerr, progress_options(flags.progress));
+  LevelFlags level = flags.level;
+  level.iso = "0";  // stands in until an iso value is proposed
+  RunResult run = read_run(flags.volume, level);
+  run.with_loops = false;
+  const std::vector<double> isos = scan_values(flags.range, run.volume, run.range);
+  in_stage("scan", [&] { scan_run(run, isos, progress.callback()); });
+  run.cost.total_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  run.cost.peak_bytes = peak_resident_bytes();
+  progress.clear();
+  outputs.write(run);
+  if (!outputs.uses_stdout()) write_scan_table(std::cout, run);
+  finish_stdout();
+}
+
+}  // namespace
+
+void add_scan_command(CLI::App& app) {
+  CLI::App& command = *app.add_subcommand(
+      "scan", "count components, tunnels and cavities at all iso values, and propose one");
+  auto flags = std::make_shared<ScanFlags>();
+  add_volume_flags(command, flags->volume);
+  add_convention_flags(command, flags->level);
+  want_whole_number(
+      command
+          .add_option(
+              "--values", flags->range.values,
+              "how many iso values to look at (default 256, or all integers of a small range)")
+          ->type_name("N"),
+      1, max_scan_values);
+  command
+      .add_option("--from", flags->range.from, "the least of them (default: the least voxel value)")
+      ->type_name("VALUE");
+  command
+      .add_option("--to", flags->range.to, "the largest of them (default: the largest voxel value)")
+      ->type_name("VALUE");
+  const auto add_output = [&](const char* flag, std::string& name, const char* text) {
+    want_file_name(command.add_option(flag, name, text)->type_name("FILE|-"));
+  };
+  add_output("--json", flags->json, "write the counts as JSON; - is standard output");
+  add_output("--csv", flags->csv, "write one line for each iso value; - is standard output");
+  add_output("--svg", flags->svg, "draw the counts as curves; - is standard output");
+  add_progress_flags(command, flags->progress);
+  command.footer(
+      "Examples:\n"
+      "  isoloop scan engine_256x256x128_uint8.raw --svg curves.svg\n"
+      "  isoloop scan block.vdb --values 100 --from -2 --to 2 --csv curves.csv\n"
+      "  isoloop scan scan.raw --dims 512 512 300 --type i16 --from 0 --json -");
+  command.callback([flags] { scan(*flags); });
+}
+
+}  // namespace isoloop

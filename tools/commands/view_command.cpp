@@ -1,0 +1,70 @@
+#include "tools/commands/view_command.h"
+
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "tools/flags/thread_flag.h"
+#include "tools/page/page.h"
+#include "tools/reports/report_table.h"
+#include "tools/runs/loops_run.h"
+#include "tools/runs/mesh_comparison.h"
+#include "tools/runs/output_files.h"
+#include "tools/words/flag_checks.h"
+#include "tools/words/progress.h"
+
+namespace isoloop {
+namespace {
+
+struct ViewFlags {
+  LoopsInput input;
+  ProgressFlags progress;
+  std::string output;
+  PageOptions page;
+};
+
+void view_loops(const ViewFlags& flags) {
+  OutputFiles outputs(flags.input.volume.file);
+  outputs.add("--output", flags.output, [&flags](std::ostream& out, const RunResult& run) {
+    write_page(out, run, flags.page);
+  });
+  ProgressLine progress(std::cerr, progress_options(flags.progress));
+  RunResult run = find_run(flags.input, progress.callback());
+  progress.clear();
+  compare_with_mesh(run, run.analysis);
+  outputs.write(run);
+  if (!outputs.uses_stdout()) write_table(std::cout, run);
+  finish_stdout();
+}
+
+}  // namespace
+
+void add_view_command(CLI::App& app) {
+  CLI::App& command =
+      *app.add_subcommand("view", "write the surface and its loops as a page for a web browser");
+  auto flags = std::make_shared<ViewFlags>();
+  flags->input.with_scan = true;
+  flags->input.features = FeatureOptions{};
+  flags->input.features_may_lack = true;
+  add_volume_flags(command, flags->input.volume);
+  add_level_flags(command, flags->input.level);
+  want_file_name(
+      command
+          .add_option("-o,--output", flags->output,
+                      "page to write, one file that needs no network; - is standard output")
+          ->type_name("FILE|-")
+          ->required());
+  add_page_flags(command, flags->page);
+  add_thread_flag(command, flags->input.threads);
+  add_progress_flags(command, flags->progress);
+  command.footer(
+      "Examples:\n"
+      "  isoloop view engine_256x256x128_uint8.raw --iso 70 -o page.html\n"
+      "  isoloop view block.vdb --triangles 400000 -o page.html\n"
+      "  isoloop view scan.raw --dims 512 512 300 --type i16 --iso 400 -o page.html");
+  command.callback([flags] { view_loops(*flags); });
+}
+
+}  // namespace isoloop

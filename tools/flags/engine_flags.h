@@ -1,0 +1,37 @@
+// The flags that choose the engine and ask for what only the paper's own shows.
+#pragma once
+
+#include <string>
+
+#include "core/analysis/analysis.h"
+#include "tools/words/cli_app.h"
+
+namespace isoloop {
+
+/// As typed.
+struct EngineFlags {
+  std::string engine = "dual";
+  std::string refine;      // "none", "1", "2" or "both"; empty: both
+  std::string dump_pairs;  // file, "-" or empty
+  std::string tighten{};   // "none", "basis" or "curve"; empty: basis, but none with `pair` or open
+  bool stats = false;
+};
+
+/// Adds --engine, --refine, --dump-pairs, --tighten and --stats. `flags` must outlive the parse.
+void add_engine_flags(CLI::App& command, EngineFlags& flags);
+
+Engine engine_of(const EngineFlags& flags);
+
+/// Throws InvalidArgument where "basis" or "curve" is given and the boundary is open.
+Tighten tighten_of(const EngineFlags& flags, Boundary boundary);
+
+/// Throws InvalidArgument where --refine or --dump-pairs is given and the engine is not `pair`.
+PairOptions pair_options(const EngineFlags& flags);
+
+/// As the flags spell them: "dual" or "pair"; "none", "basis" or "curve"; "none", "1", "2" or
+/// "both".
+std::string engine_text(Engine engine);
+std::string tighten_text(Tighten tighten);
+std::string refinement_text(Refinement refinement);
+
+}  // namespace isoloop

@@ -1,0 +1,30 @@
+// The flags that say what `isoloop repair` is to remove.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "core/repair/repair.h"
+#include "tools/words/cli_app.h"
+
+namespace isoloop {
+
+/// As typed. Lengths: unit of the spacing.
+struct RepairFlags {
+  std::optional<double> fill_tunnels;
+  std::optional<double> cut_handles;
+  std::optional<double> either;  // --auto
+  std::optional<std::int64_t> genus;
+  std::string ids;   // "h3,t7", or "3,7" with a side
+  std::string side;  // "handle", "tunnel" or empty
+};
+
+/// Adds --fill-tunnels, --cut-handles, --auto, --ids, --side and --genus. `flags` must outlive the
+/// parse.
+void add_repair_flags(CLI::App& command, RepairFlags& flags);
+
+/// Throws InvalidArgument where nothing is asked for, or what is asked for makes no sense.
+RepairRequest repair_request(const RepairFlags& flags);
+
+}  // namespace isoloop

@@ -1,0 +1,27 @@
+// The machine-readable report, schema "isoloop/1".
+#pragma once
+
+#include <ostream>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "tools/runs/run_result.h"
+
+namespace isoloop {
+
+/// Writes one JSON object, one line for each loop, so that it can be read as it streams. Curves
+/// are in the world frame of the input, which "conventions" names with its affine; lengths and
+/// sizes are in the unit of the spacing. JSON has no infinity: an infinite size, which means that
+/// the loop joins two components of the surface, is null. Without loops for `count`. All but the
+/// lines "seconds" and "peak_bytes" are the same bytes for any number of threads.
+void write_json(std::ostream& out, const RunResult& run);
+
+/// Which voxels of the file were read: `first` index along each axis, and the dims that the part is
+/// `of`; null: all of them.
+nlohmann::ordered_json part_json(const Volume& volume);
+
+/// The counts of the mesh that was voxelised, and whether those of `analysis` are the same (null:
+/// they cannot be held against each other); null for a volume.
+nlohmann::ordered_json mesh_json(const RunResult& run, const Analysis& analysis);
+
+}  // namespace isoloop

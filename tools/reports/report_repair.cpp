@@ -1,0 +1,156 @@
+#include "tools/reports/report_repair.h"
+
+#include <algorithm>
+#include <array>
+#include <iomanip>
+#include <sstream>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "tools/flags/input_flags.h"
+#include "tools/reports/report_json.h"
+#include "tools/reports/report_table.h"
+#include "tools/words/number_text.h"
+#include "volume/base/memory_limit.h"
+
+namespace isoloop {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double voxel_volume(const RepairRun& result) {
+  const Vec3& spacing = result.run.volume.spacing;
+  return spacing[0] * spacing[1] * spacing[2];
+}
+
+std::string action_text(RepairAction action) {
+  return action == RepairAction::cut ? "cut" : "filled";
+}
+
+std::string center_text(const Vec3& center) {
+  std::string text = "(";
+  for (const std::size_t a : {0U, 1U, 2U}) {
+    if (a > 0) text += ", ";
+    text += fixed_text(center[a], 1);
+  }
+  return text += ")";
+}
+
+void write_counts(std::ostream& out, const Repair& repair) {
+  const auto row = [&](const char* name, std::int64_t before, std::int64_t after) {
+    out << std::left << std::setw(10) << name << std::right << std::setw(9) << before
+        << std::setw(9) << after << '\n';
+  };
+  out << "            before    after\n";
+  row("components", repair.before.betti.b0, repair.after.betti.b0);
+  row("tunnels", repair.before.betti.b1, repair.after.betti.b1);
+  row("cavities", repair.before.betti.b2, repair.after.betti.b2);
+}
+
+void write_removals(std::ostream& out, const RepairRun& result) {
+  if (result.repair.removals.empty()) return;
+  const int decimals = length_decimals(result.run.volume.spacing);
+  out << "\nround  loop          length  done             voxels  centre (index)\n";
+  for (const Removal& removal : result.repair.removals) {
+    std::string done = action_text(removal.action);
+    if (removal.by.kind != removal.loop.kind) done.append(" ").append(text_of(removal.by));
+    out << std::right << std::setw(5) << removal.round << "  " << std::left << std::setw(12)
+        << text_of(removal.loop) << std::right << std::setw(8)
+        << fixed_text(removal.length, decimals) << "  " << std::left << std::setw(16) << done
+        << std::right << std::setw(7) << removal.voxels << "  " << center_text(removal.center_index)
+        << '\n';
+  }
+}
+
+Json counts_of(const Analysis& analysis) {
+  const Surface& surface = analysis.surface;
+  return {
+      {"vertices", surface.points.size()},
+      {"triangles", surface.triangles.size()},
+      {"components", surface.components.size()},
+      {"euler", surface.euler()},
+      {"genus", surface.genus()},
+      {"betti", {{"b0", analysis.betti.b0}, {"b1", analysis.betti.b1}, {"b2", analysis.betti.b2}}}};
+}
+
+Json removal_of(const RepairRun& result, const Removal& removal) {
+  return {{"kind", kind_text(removal.loop.kind)},
+          {"id", removal.loop.id},
+          {"round", removal.round},
+          {"length", removal.length},
+          {"action", removal.action == RepairAction::cut ? "cut" : "fill"},
+          {"along", {{"kind", kind_text(removal.by.kind)}, {"id", removal.by.id}}},
+          {"voxels", removal.voxels},
+          {"center_index", removal.center_index},
+          {"center_world", to_world(result.run.volume, removal.center_index)}};
+}
+
+}  // namespace
+
+void write_repair_table(std::ostream& out, const RepairRun& result) {
+  const RunResult& run = result.run;
+  const Repair& repair = result.repair;
+  out << run.file << ": " << dims_text(run.volume.dims) << ' ' << type_name(run.volume.values)
+      << ", inside is " << inside_text(run.level) << "\n\n";
+  write_counts(out, repair);
+  write_removals(out, result);
+  const int decimals = length_decimals(run.volume.spacing);
+  const double volume = voxel_volume(result);
+  out << '\n'
+      << counted(static_cast<std::int64_t>(repair.changes.size()), "voxel", "voxels")
+      << " changed: " << repair.added_voxels << " filled (volume "
+      << fixed_text(static_cast<double>(repair.added_voxels) * volume, decimals) << "), "
+      << repair.removed_voxels << " cut away (volume "
+      << fixed_text(static_cast<double>(repair.removed_voxels) * volume, decimals) << ")";
+  if (repair.shifted_voxels > 0)
+    out << ", " << repair.shifted_voxels << " shifted on the side that they were on";
+  out << '\n';
+  if (repair.removals.empty()) {
+    out << "nothing to repair\n";
+  } else {
+    out << "verified: genus " << repair.before.surface.genus() << " - " << repair.removals.size()
+        << " = " << repair.after.surface.genus()
+        << "; components and cavities are as before; all other loops are still there\n";
+  }
+}
+
+void write_repair_json(std::ostream& out, const RepairRun& result) {
+  const RunResult& run = result.run;
+  const Repair& repair = result.repair;
+  Json removals = Json::array();
+  for (const Removal& removal : repair.removals) removals.push_back(removal_of(result, removal));
+  const double volume = voxel_volume(result);
+  const Json json = {
+      {"schema", "isoloop-repair/1"},
+      {"input",
+       {{"file", run.file},
+        {"dims", run.volume.dims},
+        {"type", type_name(run.volume.values)},
+        {"spacing", run.volume.spacing},
+        {"mesh", mesh_json(run, repair.before)},
+        {"warnings", run.volume.warnings}}},
+      {"iso", run.level.iso},
+      {"conventions",
+       {{"inside", inside_text(run.level)},
+        {"topology", topology_text(run.level.topology)},
+        {"round", "of analysis that `id` refers to; 1: of the input"},
+        {"unit", "length: " + unit_text(run.volume) + "; volume: its cube"}}},
+      {"output", result.output.empty() ? Json() : Json(result.output)},
+      {"before", counts_of(repair.before)},
+      {"after", counts_of(repair.after)},
+      {"removals", std::move(removals)},
+      {"changed_voxels", repair.changes.size()},
+      {"filled_voxels", repair.added_voxels},
+      {"cut_voxels", repair.removed_voxels},
+      {"shifted_voxels", repair.shifted_voxels},
+      {"filled_volume", static_cast<double>(repair.added_voxels) * volume},
+      {"cut_volume", static_cast<double>(repair.removed_voxels) * volume},
+      {"rounds", repair.rounds},
+      {"verified", true},
+      {"seconds", {{"read", run.cost.read_seconds}, {"total", run.cost.total_seconds}}},
+      {"peak_bytes", run.cost.peak_bytes}};
+  out << json.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+}  // namespace isoloop

@@ -1,0 +1,48 @@
+// The table that people read first.
+#pragma once
+
+#include <ostream>
+
+#include "tools/runs/run_result.h"
+
+namespace isoloop {
+
+/// Writes the counts of the surface and the solid, then, if the run looked for loops, one row for
+/// each reported loop, the total length of each kind and what was verified, and if it only counted,
+/// one row for each of the largest components of the surface. Lengths, sizes and centres are in the
+/// unit of the spacing, with the digits that a hundredth of a voxel asks for.
+void write_table(std::ostream& out, const RunResult& run);
+
+/// "256 x 256 x 128 uint8", and which part of the file that is, unless it is all of it.
+std::string volume_text(const Volume& volume);
+
+/// "voxels 10:20,0:256,5:128 of 256 x 256 x 128".
+std::string part_text(const Volume& volume, const VolumePart& part);
+
+/// "note: ..." after an empty line, unless the run has no hint.
+void write_hint(std::ostream& out, const RunResult& run);
+
+/// "f >= 70" or "f <= 70": which voxels are inside.
+std::string inside_text(const IsoLevel& level);
+
+/// What a component of the surface closes off: "solid", or "cavity" within the solid; "unknown"
+/// with an open boundary.
+std::string bounds_text(Boundary boundary, const SurfaceComponent& component);
+
+/// "handle", "tunnel" or "loop".
+std::string kind_text(LoopKind kind);
+
+/// What takes the loop's handle or tunnel away: "cut" or "fill"; "none" where neither is known to.
+std::string fix_text(LoopKind kind);
+
+/// "index", "world", "LPS" or "RAS".
+std::string frame_text(Frame frame);
+
+/// The unit of lengths: "µm" and the like, "unit of the spacing" where the file does not state it.
+std::string unit_text(const Volume& volume);
+
+/// "frame index, spacing 1 1 1 in the unit of lengths": for comments in files. At most 70
+/// characters unless the spacing takes many digits.
+std::string frame_comment(const RunResult& run);
+
+}  // namespace isoloop

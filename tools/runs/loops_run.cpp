@@ -1,0 +1,72 @@
+#include "tools/runs/loops_run.h"
+
+#include <chrono>
+#include <iostream>
+
+#include "core/base/errors.h"
+#include "core/base/stage.h"
+#include "tools/flags/thread_flag.h"
+#include "tools/runs/read_run.h"
+#include "tools/runs/scan_run.h"
+
+namespace isoloop {
+namespace {
+
+RunResult found_run(const LoopsInput& input, const Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  const PairOptions pair = pair_options(input.engine);
+  const Boundary boundary = boundary_of(input.level);
+  const Tighten tighten = tighten_of(input.engine, boundary);
+  RunResult run = read_run(input.volume, input.level);
+  run.geodesic = input.geodesic == "exact" ? GeodesicMode::exact : GeodesicMode::hierarchy;
+  run.engine = engine_of(input.engine);
+  run.refinement = pair.refinement;
+  run.tighten = tighten;
+  run.filter = input.filter;
+  run.analysis = find_loops(view(run.volume), run.level,
+                            {.boundary = boundary,
+                             .geodesic = run.geodesic,
+                             .engine = run.engine,
+                             .tighten = run.tighten,
+                             .pair = pair,
+                             .count_volume_triangles = input.engine.stats,
+                             .progress = progress,
+                             .max_bytes = run.cost.max_bytes});
+  check_counts(run.analysis);
+  check_loops(run.analysis);
+  run.reported = select_loops(run.analysis.loops, input.filter);
+  if (input.features && boundary == Boundary::closed) {
+    if (progress) progress("features", 0.93);
+    FeatureOptions options = *input.features;
+    options.max_bytes = run.cost.max_bytes;
+    try {
+      run.features = in_stage("features", [&] {
+        return features_of(run.analysis.surface, run.analysis.loops, options);
+      });
+    } catch (const LimitExceeded& error) {
+      if (!input.features_may_lack) throw;
+      std::cerr << "isoloop: warning: features are left out: " << error.what() << '\n';
+    }
+  }
+  if (input.with_scan && boundary == Boundary::closed && !run.level.upper) {
+    if (progress) progress("scan", 0.95);
+    in_stage("scan", [&] { scan_run(run, scan_values({}, run.volume, run.range), {}); });
+  }
+  run.cost.total_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  run.cost.peak_bytes = peak_resident_bytes();
+  return run;
+}
+
+}  // namespace
+
+void check_engine_flags(const LoopsInput& input) {
+  pair_options(input.engine);
+  tighten_of(input.engine, boundary_of(input.level));
+}
+
+RunResult find_run(const LoopsInput& input, const Progress& progress) {
+  return on_threads(input.threads, [&] { return found_run(input, progress); });
+}
+
+}  // namespace isoloop

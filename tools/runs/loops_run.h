@@ -1,0 +1,36 @@
+// A run of `loops` or `view`, from flags to proved loops.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/base/progress.h"
+#include "core/loops/features.h"
+#include "tools/flags/engine_flags.h"
+#include "tools/flags/input_flags.h"
+#include "tools/runs/run_result.h"
+
+namespace isoloop {
+
+/// As typed.
+struct LoopsInput {
+  VolumeFlags volume;
+  LevelFlags level;
+  EngineFlags engine;
+  std::string geodesic = "hierarchy";
+  int threads = 0;  // 0: one for each core
+  LoopFilter filter;
+  bool with_scan = false;  // also count at many iso values, unless the boundary is open
+  std::optional<FeatureOptions> features{};  // also sweep the features, unless the boundary is open
+  bool features_may_lack = false;            // with a warning, where memory has no room for them
+};
+
+/// Throws InvalidArgument for engine flags that do not go together, before anything is read.
+void check_engine_flags(const LoopsInput& input);
+
+/// Reads the volume, finds, proves and checks all loops and selects those to report. Throws as
+/// read_run(), find_loops(), check_counts() and check_loops() do, and InvalidArgument for flags
+/// that do not go together.
+RunResult find_run(const LoopsInput& input, const Progress& progress);
+
+}  // namespace isoloop

@@ -1,0 +1,93 @@
+#include "tools/runs/output_files.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <iostream>
+#include <memory>
+#include <system_error>
+
+#include <unistd.h>
+
+#include "core/base/errors.h"
+#include "core/base/stage.h"
+#include "volume/base/atomic_file.h"
+
+namespace isoloop {
+namespace {
+
+bool is_stdout(const std::string& name) { return name == "-"; }
+
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code error;
+  const auto absolute = [&error](const std::filesystem::path& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path), error);
+  };
+  return std::filesystem::equivalent(a, b, error) || absolute(a) == absolute(b);
+}
+
+std::string clash(const std::string& flag, const std::string& name, const char* what) {
+  std::string sentence = flag;
+  sentence.append(" ").append(name).append(" would overwrite ").append(what);
+  return sentence;
+}
+
+}  // namespace
+
+void OutputFiles::add(const std::string& flag, const std::string& name, const Report& report) {
+  if (name.empty()) return;
+  if (name.starts_with("--")) throw InvalidArgument(flag + " wants a file name after it");
+  for (const Output& other : outputs_) {
+    const bool both_stdout = is_stdout(name) && is_stdout(other.name);
+    const bool both_files = !is_stdout(name) && !is_stdout(other.name);
+    if (both_stdout || (both_files && same_file(name, other.name))) {
+      throw InvalidArgument(clash(flag, name, "another output"));
+    }
+  }
+  if (!is_stdout(name)) {
+    if (same_file(name, input_)) {
+      throw InvalidArgument(clash(flag, name, "the input"));
+    }
+    check_writable(name);
+  }
+  outputs_.push_back({name, report});
+}
+
+void OutputFiles::reserve(const std::string& flag, const std::string& name) {
+  if (is_stdout(name)) throw InvalidArgument(flag + " wants a file, not standard output");
+  add(flag, name, {});
+}
+
+bool OutputFiles::uses_stdout() const {
+  return std::any_of(outputs_.begin(), outputs_.end(),
+                     [](const Output& output) { return is_stdout(output.name); });
+}
+
+void OutputFiles::write(const RunResult& run) const {
+  in_stage("report", [&] { write_all(run); });
+}
+
+void OutputFiles::write_all(const RunResult& run) const {
+  std::vector<std::unique_ptr<AtomicFile>> files;
+  for (const Output& output : outputs_) {
+    if (is_stdout(output.name) || !output.report) continue;
+    files.push_back(std::make_unique<AtomicFile>(output.name));
+    output.report(files.back()->stream(), run);
+  }
+  for (const auto& file : files) file->commit();
+  for (const Output& output : outputs_) {
+    if (is_stdout(output.name)) output.report(std::cout, run);
+  }
+}
+
+void check_writable(const std::filesystem::path& path) { const AtomicFile probe(path); }
+
+void finish_stdout() {
+  std::cout.flush();
+  if (std::cout) return;
+  // The stream does not keep the reason that it failed for: one more byte meets it again.
+  const bool full = write(STDOUT_FILENO, "\n", 1) != 1 && is_out_of_room(errno);
+  if (full) throw LimitExceeded("standard output cannot be written: no room; the disk may be full");
+  throw InvalidInput("standard output cannot be written");
+}
+
+}  // namespace isoloop

@@ -1,0 +1,48 @@
+#include "tools/runs/read_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+
+#include "core/base/stage.h"
+#include "tools/flags/flag_kinds.h"
+#include "tools/runs/memory_cap.h"
+#include "tools/words/value_hints.h"
+#include "volume/base/memory_limit.h"
+
+namespace isoloop {
+
+void print_warnings(std::ostream& out, const Volume& volume) {
+  for (const std::string& warning : volume.warnings) {
+    out << "isoloop: warning: " << warning << '\n';
+  }
+}
+
+RunResult read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flags) {
+  const auto start = std::chrono::steady_clock::now();
+  RunResult run;
+  run.file = volume_flags.file;
+  run.nan_as = volume_flags.nan_as;
+  check_flags_agree(volume_flags, level_flags);
+  check_flags_fit_file(volume_flags);
+  ReadOptions options = read_options(volume_flags);
+  // A layer of background would close the surface that is to end there.
+  if (level_flags.open_boundary) options.margin = VdbMargin::none;
+  const std::uint64_t available = default_voxel_limit();
+  if (options.max_bytes > 0) cap_memory(options.max_bytes);
+  run.volume = in_stage("read", [&] { return read_volume(volume_flags.file, options); });
+  const std::uint64_t limit = options.max_bytes > 0 ? options.max_bytes : available;
+  run.cost.max_bytes = limit - std::min(limit, peak_resident_bytes());
+  print_warnings(std::cerr, run.volume);
+  run.range = value_range(run.volume);
+  run.level = iso_level(level_flags, run.volume, run.range);
+  if (is_mask(run.range) && !run.volume.level_set && volume_flags.label.empty() &&
+      level_flags.connectivity.empty()) {
+    run.hint = mask_hint(run.range);
+  }
+  run.cost.read_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return run;
+}
+
+}  // namespace isoloop

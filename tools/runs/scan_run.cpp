@@ -1,0 +1,69 @@
+#include "tools/runs/scan_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <type_traits>
+#include <variant>
+
+#include "core/base/errors.h"
+#include "core/scan/plateau.h"
+#include "core/scan/scan.h"
+#include "tools/words/number_text.h"
+
+namespace isoloop {
+namespace {
+
+constexpr int default_values = 256;
+constexpr double most_integers = 1024;
+
+bool holds_integers(const Volume& volume) {
+  return std::visit(
+      [](const auto& voxels) {
+        return std::is_integral_v<typename std::decay_t<decltype(voxels)>::value_type>;
+      },
+      volume.values);
+}
+
+}  // namespace
+
+std::vector<double> scan_values(const ScanRange& range, const Volume& volume,
+                                const ValueRange& voxels) {
+  constexpr double largest = 1e150;  // as core/grid/level.h takes infinite values
+  const double from = range.from.value_or(std::clamp(voxels.min, -largest, largest));
+  const double to = range.to.value_or(std::clamp(voxels.max, -largest, largest));
+  if (!std::isfinite(from) || !std::isfinite(to) || from > to)
+    throw InvalidArgument("--from " + shortest_text(from) + " and --to " + shortest_text(to) +
+                          " leave no iso value");
+  if (range.values && (*range.values < 1 || *range.values > static_cast<int>(max_scan_values)))
+    throw InvalidArgument("--values must be 1 to " + std::to_string(max_scan_values));
+  const bool integers = holds_integers(volume);
+  const double all = std::floor(to) - std::ceil(from) + 1;
+  const bool take_all = integers && !range.values && all <= most_integers;
+  const int count = range.values.value_or(take_all ? static_cast<int>(all) : default_values);
+  std::vector<double> values;
+  for (int i = 0; i < count; ++i) {
+    const double share = count == 1 ? 0.5 : static_cast<double>(i) / (count - 1);
+    const double value =
+        take_all ? std::ceil(from) + i : from * (1 - share) + to * share;  // never beyond the ends
+    values.push_back(integers ? std::round(value) : value);
+  }
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  if (values.empty())
+    throw InvalidArgument("--from " + shortest_text(from) + " and --to " + shortest_text(to) +
+                          " leave no integer iso value");
+  return values;
+}
+
+void scan_run(RunResult& run, const std::vector<double>& isos, const Progress& progress) {
+  const Index3& dims = run.volume.dims;
+  run.scan = scan_topology(view(run.volume), isos,
+                           {.inside = run.level.inside,
+                            .topology = run.level.topology,
+                            .progress = progress,
+                            .max_bytes = run.cost.max_bytes});
+  run.plateaus = find_plateaus(run.scan, dims[0] * dims[1] * dims[2]);
+  run.proposed = proposed_row(run.scan, run.plateaus);
+}
+
+}  // namespace isoloop

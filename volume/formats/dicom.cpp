@@ -1,0 +1,319 @@
+#include "volume/formats/dicom.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <set>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "core/base/errors.h"
+#include "volume/base/header_text.h"
+#include "volume/formats/dicom_elements.h"
+#include "volume/formats/dicom_slice.h"
+#include "volume/voxels/stored_voxels.h"
+
+namespace isoloop {
+namespace {
+
+using Slices = std::vector<DicomSlice>;
+
+[[noreturn]] void refuse(const std::string& what, const std::string& complaint) {
+  throw InvalidInput(what + ": " + complaint);
+}
+
+std::string text(double number) {
+  std::array<char, 32> digits{};
+  std::snprintf(digits.data(), digits.size(), "%.6g", number);
+  return digits.data();
+}
+
+double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+using Paths = std::vector<std::filesystem::path>;
+
+/// The files that `Entries` finds, in order, without hidden ones. Throws InvalidInput.
+template <class Entries>
+Paths files_by(const std::filesystem::path& folder) {
+  Paths files;
+  std::error_code error;
+  Entries entry(folder, std::filesystem::directory_options::skip_permission_denied, error);
+  constexpr std::size_t most = 1000000;
+  for (; !error && entry != Entries(); entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    std::error_code ignored;
+    if (!entry->is_regular_file(ignored) || name.starts_with('.')) continue;
+    if (files.size() == most) refuse(folder.string(), "holds more than a million files");
+    files.push_back(entry->path());
+  }
+  if (error) refuse(folder.string(), "cannot be read: " + error.message());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// Whether the file is a slice, as the index of a disc of them, DICOMDIR, is not.
+bool is_dicom_slice(const std::filesystem::path& path) {
+  return path.filename() != "DICOMDIR" && looks_like_dicom(path);
+}
+
+/// The files of the folder if some are DICOM, else those of all folders within it that are beside
+/// some.
+Paths files_beside_dicom(const std::filesystem::path& folder) {
+  if (holds_dicom(folder)) return files_by<std::filesystem::directory_iterator>(folder);
+  Paths files = files_by<std::filesystem::recursive_directory_iterator>(folder);
+  std::set<std::filesystem::path> folders;
+  for (const auto& file : files) {
+    if (folders.count(file.parent_path()) == 0 && is_dicom_slice(file)) {
+      folders.insert(file.parent_path());
+    }
+  }
+  std::erase_if(files, [&](const auto& file) { return folders.count(file.parent_path()) == 0; });
+  return files;
+}
+
+// Slices often have no extension, or a number as one.
+bool may_be_a_slice(const std::filesystem::path& path) {
+  const std::string extension = lower_case(path.extension().string());
+  return extension.empty() || extension == ".dcm" || extension == ".ima" ||
+         std::all_of(extension.begin() + 1, extension.end(),
+                     [](char c) { return c >= '0' && c <= '9'; });
+}
+
+Slices read_slices(const std::filesystem::path& folder) {
+  Slices slices;
+  for (const auto& file : files_beside_dicom(folder)) {
+    if (file.filename() == "DICOMDIR") continue;
+    if (looks_like_dicom(file)) {
+      slices.push_back(read_dicom_slice(file));
+    } else if (may_be_a_slice(file)) {
+      refuse(file.string(), "is no DICOM file, or is cut short; fetch it again or move it away");
+    }
+  }
+  return slices;
+}
+
+bool is_meant(const DicomSlice& slice, const std::string& wanted) {
+  return slice.series.find(wanted) != std::string::npos ||
+         slice.description.find(wanted) != std::string::npos;
+}
+
+// Of several series the one that is asked for.
+Slices choose_series(Slices slices, const std::string& wanted, const std::string& what) {
+  std::map<std::string, Slices> series;
+  for (DicomSlice& slice : slices) series[slice.series].push_back(std::move(slice));
+  std::string list;
+  for (const auto& [name, members] : series) {
+    list += (list.empty() ? "" : "; ") + name + " (" + members.front().description + ", " +
+            std::to_string(members.size()) + " slices)";
+  }
+  if (const auto exact = series.find(wanted); exact != series.end()) return exact->second;
+  std::erase_if(series, [&](const auto& one) { return !is_meant(one.second.front(), wanted); });
+  if (series.size() == 1) return std::move(series.begin()->second);
+  throw InvalidArgument(what + ": " + (series.empty() ? "no series" : "more than one series") +
+                        (wanted.empty() ? "" : " fits --series " + wanted) +
+                        "; choose by --series among: " + list);
+}
+
+void check_alike(const Slices& slices) {
+  const DicomSlice& first = slices.front();
+  constexpr double tolerance = 1e-4;
+  for (const DicomSlice& slice : slices) {
+    const bool alike = slice.layout.dims == first.layout.dims &&
+                       slice.layout.type == first.layout.type &&
+                       distance(slice.axes[0], first.axes[0]) <= tolerance &&
+                       distance(slice.axes[1], first.axes[1]) <= tolerance &&
+                       std::abs(slice.spacing[0] - first.spacing[0]) <= tolerance &&
+                       std::abs(slice.spacing[1] - first.spacing[1]) <= tolerance;
+    if (!alike) {
+      refuse(slice.path.string(), "differs from " + first.path.string() +
+                                      " of the same series in size, type or direction; move one "
+                                      "of them away");
+    }
+  }
+}
+
+double height_of(const DicomSlice& slice) {
+  const auto& [u, v] = slice.axes;
+  const Vec3 normal{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                    u[0] * v[1] - u[1] * v[0]};
+  return dot(*slice.position, normal);
+}
+
+/// Slices in order, one list for each frame.
+std::vector<Slices> sorted_frames(Slices slices, bool by_position, const std::string& what) {
+  if (!by_position) {
+    std::stable_sort(slices.begin(), slices.end(), [](const DicomSlice& a, const DicomSlice& b) {
+      return a.instance < b.instance;
+    });
+    return {slices};
+  }
+  std::vector<std::pair<double, const DicomSlice*>> heights;
+  for (const DicomSlice& slice : slices) heights.emplace_back(height_of(slice), &slice);
+  std::stable_sort(heights.begin(), heights.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.first, a.second->instance) < std::pair(b.first, b.second->instance);
+  });
+  std::vector<Slices> places;  // those that lie at one height
+  double before = 0.0;
+  for (const auto& [height, slice] : heights) {
+    constexpr double same = 1e-4;
+    if (places.empty() || height - before > same) places.emplace_back();
+    places.back().push_back(*slice);
+    before = height;
+  }
+  std::vector<Slices> frames(places.front().size());
+  for (Slices& place : places) {
+    std::stable_sort(place.begin(), place.end(), [](const DicomSlice& a, const DicomSlice& b) {
+      return a.instance < b.instance;
+    });
+    if (place.size() != frames.size()) {
+      refuse(what, "has " + std::to_string(frames.size()) + " slices at one place and " +
+                       std::to_string(place.size()) + " at another (" +
+                       place.front().path.string() + "); move away what does not belong");
+    }
+    for (std::size_t i = 0; i < frames.size(); ++i) frames[i].push_back(place[i]);
+  }
+  return frames;
+}
+
+void check_gaps(const Slices& slices, bool spacing_given, Volume& volume) {
+  std::vector<double> gaps;
+  for (std::size_t i = 0; i + 1 < slices.size(); ++i) {
+    gaps.push_back(height_of(slices[i + 1]) - height_of(slices[i]));
+  }
+  std::vector<double> sorted = gaps;
+  std::sort(sorted.begin(), sorted.end());
+  const double usual = sorted[sorted.size() / 2];
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    if (gaps[i] > usual / 1.5 && gaps[i] < 1.5 * usual) continue;
+    const std::string complaint = slices[i + 1].path.string() + ": lies " + text(gaps[i]) +
+                                  " from " + slices[i].path.string() + ", other slices lie " +
+                                  text(usual) +
+                                  " apart: a slice is missing, or one does not belong";
+    if (!spacing_given) {
+      throw InvalidInput(complaint + "; give --spacing X Y Z to read them as evenly spaced");
+    }
+    volume.warnings.push_back(complaint + "; they are read as evenly spaced");
+    return;
+  }
+  if (sorted.back() - sorted.front() <= 0.01 * usual) return;
+  volume.warnings.push_back("slices lie " + text(sorted.front()) + " to " + text(sorted.back()) +
+                            " apart; they are read as evenly spaced");
+}
+
+Placement placement_of(const Slices& slices) {
+  const DicomSlice& first = slices.front();
+  const Vec3 spacing = first.spacing;
+  Placement placement{.frame = Frame::lps};
+  columns_of(spacing, first.path.string());  // refuses what is no length
+  placement.origin = *first.position;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      placement.columns[axis][c] = first.axes[axis][c] * spacing[axis];
+    }
+  }
+  const auto& [u, v] = first.axes;
+  Vec3 step{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double steps = static_cast<double>(slices.size()) - 1.0;
+    step[c] = slices.size() == 1 ? step[c] * spacing[2]
+                                 : ((*slices.back().position)[c] - (*first.position)[c]) / steps;
+  }
+  placement.columns[2] = step;
+  return placement;
+}
+
+bool scales_alike(const Slices& slices) {
+  const VoxelLayout& first = slices.front().layout;
+  return std::all_of(slices.begin(), slices.end(), [&](const DicomSlice& slice) {
+    return slice.layout.slope == first.slope && slice.layout.intercept == first.intercept;
+  });
+}
+
+template <class T>
+void append(std::vector<T>& values, const VoxelArray& layer) {
+  std::visit(
+      [&](const auto& pixels) {
+        for (const auto pixel : pixels) values.push_back(static_cast<T>(pixel));
+      },
+      layer);
+}
+
+// Where slices have scales of their own the values are float32.
+VoxelArray read_values(const Slices& slices, std::uint64_t count, const std::string& what) {
+  const VoxelLayout& first = slices.front().layout;
+  if (!scales_alike(slices)) {
+    std::vector<float> values;
+    values.reserve(count);
+    for (const DicomSlice& slice : slices) {
+      append(values, rescaled(read_pixels(slice), slice.layout.slope, slice.layout.intercept,
+                              slice.path.string()));
+    }
+    return values;
+  }
+  VoxelArray stored = read_pixels(slices.front());
+  std::visit(
+      [&]<class T>(std::vector<T>& values) {
+        values.reserve(count);
+        for (std::size_t i = 1; i < slices.size(); ++i) append(values, read_pixels(slices[i]));
+      },
+      stored);
+  return rescaled(std::move(stored), first.slope, first.intercept, what);
+}
+
+}  // namespace
+
+Volume read_dicom(const std::filesystem::path& path, const FormatOptions& options,
+                  const VoxelLimits& limits) {
+  const std::string what = path.string();
+  const bool folder = std::filesystem::is_directory(path);
+  Slices slices = folder ? read_slices(path) : Slices{read_dicom_slice(path)};
+  if (slices.empty()) refuse(what, "holds no DICOM files");
+  slices = choose_series(std::move(slices), options.series, what);
+  check_alike(slices);
+  const bool placed = std::all_of(slices.begin(), slices.end(), [](const DicomSlice& slice) {
+    return slice.position.has_value();
+  });
+  if (!placed && !options.spacing) {
+    refuse(what,
+           "its slices do not state their place; give --spacing X Y Z to read them in the "
+           "order of their instance numbers");
+  }
+  const std::vector<Slices> frames = sorted_frames(std::move(slices), placed, what);
+  const Slices& first = frames.front();
+  VoxelLayout layout = first.front().layout;
+  layout.dims[2] = static_cast<std::int64_t>(first.size());
+  layout.frames = frames.size();
+  if (!scales_alike(first)) layout.slope = 0.5;  // takes the memory of values that are scaled
+  check_layout(layout, limits, what);
+  const Slices& chosen = frames[choose_frame(layout, options.frame, what)];
+  Volume volume;
+  volume.dims = layout.dims;
+  if (placed && chosen.size() > 2) check_gaps(chosen, options.spacing.has_value(), volume);
+  place(volume, options.spacing ? Placement{} : placement_of(chosen), options.spacing, what);
+  if (!options.spacing) volume.unit = "mm";
+  if (folder && chosen.front().path.parent_path() != (path / "").parent_path()) {
+    volume.notes.push_back("slices are in " + chosen.front().path.parent_path().string());
+  }
+  if (scales_alike(chosen)) {
+    add_scale_note(chosen.front().layout, volume);
+  } else {
+    volume.notes.emplace_back("values are scaled slice by slice, as each states");
+  }
+  volume.values = read_values(chosen, checked_voxel_count(volume.dims, what), what);
+  return volume;
+}
+
+bool holds_dicom(const std::filesystem::path& folder) {
+  const Paths files = files_by<std::filesystem::directory_iterator>(folder);
+  return std::any_of(files.begin(), files.end(), is_dicom_slice);
+}
+
+bool holds_dicom_within(const std::filesystem::path& folder) {
+  const Paths files = files_by<std::filesystem::recursive_directory_iterator>(folder);
+  return std::any_of(files.begin(), files.end(), is_dicom_slice);
+}
+
+}  // namespace isoloop

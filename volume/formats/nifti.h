@@ -1,0 +1,22 @@
+// NIfTI-1 and NIfTI-2 (nifti.nimh.nih.gov): medical volumes, most often of the brain.
+#pragma once
+
+#include <filesystem>
+
+#include "volume/base/memory_limit.h"
+#include "volume/voxels/placement.h"
+#include "volume/voxels/volume.h"
+
+namespace isoloop {
+
+/// Reads a .nii or .nii.gz file, or a pair .hdr and .img (either may be compressed too, and either
+/// may be named), of either byte order. Values are scaled by slope and intercept. The frame is
+/// `ras`, by the sform if its code is set, else by the qform; without either it is `index`. The
+/// notes say which; a warning says where the two differ by more than a hundredth of a voxel.
+/// Throws InvalidArgument (several frames, and options.frame does not choose), LimitExceeded, and
+/// InvalidInput: bytes that are missing, damaged or too many, a header that makes no sense, colour,
+/// complex and vector voxels, a placement that place() refuses.
+Volume read_nifti(const std::filesystem::path& path, const FormatOptions& options = {},
+                  const VoxelLimits& limits = {});
+
+}  // namespace isoloop

@@ -1,0 +1,156 @@
+#include "volume/voxels/labels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <optional>
+#include <set>
+#include <type_traits>
+#include <utility>
+
+#include "core/base/errors.h"
+
+namespace isoloop {
+namespace {
+
+constexpr std::size_t most_listed = 20;   // labels in a message
+constexpr std::size_t most_examples = 3;  // values in a message
+
+std::string list_of(const std::vector<std::int64_t>& labels) {
+  std::string text;
+  for (const std::int64_t label : labels)
+    text += (text.empty() ? "" : ", ") + std::to_string(label);
+  return text;
+}
+
+std::string text(double number) {
+  std::array<char, 32> digits{};
+  std::snprintf(digits.data(), digits.size(), "%.9g", number);
+  return digits.data();
+}
+
+/// What is learnt of the labels on the way over the voxels.
+struct Census {
+  std::map<std::int64_t, bool> wanted{};  // whether a voxel has it
+  std::set<std::int64_t> lowest{};        // of all labels, most_listed at most
+  std::int64_t taken_near = 0;            // voxels of wanted labels that are no whole numbers
+  double largest_distance = 0.0;          // of those
+  std::int64_t strays = 0;                // voxels that have no label
+  std::vector<double> examples{};         // of their values
+
+  void list(std::int64_t label) {
+    if (lowest.size() == most_listed && label > *lowest.rbegin()) return;
+    lowest.insert(label);
+    if (lowest.size() > most_listed) lowest.erase(std::prev(lowest.end()));
+  }
+
+  void add_stray(double value) {
+    ++strays;
+    if (examples.size() < most_examples &&
+        std::find(examples.begin(), examples.end(), value) == examples.end()) {
+      examples.push_back(value);
+    }
+  }
+};
+
+/// Its label, if it has one; no label is so large that doubles do not hold its neighbours.
+template <class T>
+std::optional<std::int64_t> label_of(T value) {
+  if constexpr (std::is_integral_v<T>) {
+    return static_cast<std::int64_t>(value);
+  } else {
+    constexpr double most = 1e15;
+    const double nearest = std::round(static_cast<double>(value));
+    const double distance = std::abs(static_cast<double>(value) - nearest);
+    if (!(std::abs(nearest) < most) || distance > label_tolerance) return std::nullopt;
+    return static_cast<std::int64_t>(nearest);
+  }
+}
+
+template <class T>
+std::vector<std::uint8_t> mask_of(const std::vector<T>& values, Census& census) {
+  std::vector<std::uint8_t> mask(values.size());
+  T last{};  // neighbours are often equal
+  std::optional<std::int64_t> label;
+  bool wanted = false;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i == 0 || values[i] != last) {
+      last = values[i];
+      label = label_of(last);
+      const auto found = label ? census.wanted.find(*label) : census.wanted.end();
+      wanted = found != census.wanted.end();
+      if (wanted) found->second = true;
+      if (label) census.list(*label);
+    }
+    if (!label) census.add_stray(static_cast<double>(last));
+    if (!wanted) continue;
+    mask[i] = 1;
+    const double distance = std::abs(static_cast<double>(last) - static_cast<double>(*label));
+    if (distance == 0.0) continue;
+    ++census.taken_near;
+    census.largest_distance = std::max(census.largest_distance, distance);
+  }
+  return mask;
+}
+
+std::string examples_of(const Census& census) {
+  std::string list;
+  for (const double value : census.examples) list += (list.empty() ? "" : ", ") + text(value);
+  return "lie farther than " + text(label_tolerance) + " from a whole number, such as " + list;
+}
+
+void check_strays(const Census& census, std::size_t voxels, const std::string& what) {
+  if (census.strays <= static_cast<std::int64_t>(voxels) / voxels_for_each_stray) return;
+  throw InvalidArgument(what + ": is no label map for --label: " + std::to_string(census.strays) +
+                        " of " + std::to_string(voxels) + " voxels " + examples_of(census) +
+                        "; take an iso value in their place, or resample the labels without "
+                        "interpolation");
+}
+
+void report(const Census& census, const std::vector<std::int64_t>& labels, const std::string& what,
+            Volume& volume) {
+  std::vector<std::int64_t> missing;
+  for (const auto& [label, found] : census.wanted) {
+    if (!found) missing.push_back(label);
+  }
+  if (missing.size() == census.wanted.size()) {
+    throw InvalidArgument(what + ": no voxel has the label " + list_of(labels) +
+                          " (--label); the lowest labels in it are " +
+                          list_of({census.lowest.begin(), census.lowest.end()}));
+  }
+  if (!missing.empty()) volume.warnings.push_back("no voxel has the label " + list_of(missing));
+  if (census.strays > 0) {
+    volume.warnings.push_back("values that " + examples_of(census) +
+                              ", are no labels: voxels that are outside for that reason: " +
+                              std::to_string(census.strays));
+  }
+  volume.notes.push_back("a mask: 1 where the label is " + list_of(labels) + ", else 0");
+  if (census.taken_near > 0) {
+    volume.notes.push_back(std::to_string(census.taken_near) +
+                           " voxels of these labels are no whole numbers: the nearest is taken, " +
+                           text(census.largest_distance) + " off at most");
+  }
+}
+
+}  // namespace
+
+Volume mask_of_labels(Volume volume, const std::vector<std::int64_t>& labels,
+                      const std::string& what) {
+  Census census;
+  for (const std::int64_t label : labels) census.wanted.emplace(label, false);
+  volume.values = std::visit(
+      [&](const auto& values) -> VoxelArray {
+        std::vector<std::uint8_t> mask = mask_of(values, census);
+        check_strays(census, values.size(), what);
+        return mask;
+      },
+      VoxelArray(std::move(volume.values)));
+  report(census, labels, what, volume);
+  volume.stored_at.reset();
+  volume.level_set = false;
+  volume.mask = true;
+  return volume;
+}
+
+}  // namespace isoloop

@@ -1,0 +1,27 @@
+// Label maps: voxels that name what they belong to.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "volume/voxels/volume.h"
+
+namespace isoloop {
+
+/// A voxel has the whole number nearest to its value as its label, no farther off than this, in
+/// voxel values: as far as scaling integers of 8 bits by a slope moves labels in practice.
+inline constexpr double label_tolerance = 0.01;
+
+/// Of so many voxels one may be farther off without being a reason to refuse them all.
+inline constexpr std::int64_t voxels_for_each_stray = 1000;
+
+/// The volume as a mask: uint8 voxels, 1 where the label is one of `labels`, else 0. A note says
+/// how many of these voxels are no whole numbers and by how much at most; warnings name labels that
+/// no voxel has, and count the voxels that have none. Throws InvalidArgument if no voxel has any of
+/// the labels, listing labels that there are, and if more than one voxel in a thousand has none,
+/// with examples of their values: that is no label map.
+Volume mask_of_labels(Volume volume, const std::vector<std::int64_t>& labels,
+                      const std::string& what);
+
+}  // namespace isoloop

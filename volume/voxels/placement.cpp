@@ -1,0 +1,124 @@
+#include "volume/voxels/placement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "core/base/errors.h"
+
+namespace isoloop {
+namespace {
+
+constexpr double shear_tolerance = 1e-3;  // cosine between two index axes
+constexpr std::array<char, 3> axis_names{'x', 'y', 'z'};
+
+std::string text(double number) {
+  std::array<char, 32> digits{};
+  std::snprintf(digits.data(), digits.size(), "%.6g", number);
+  return digits.data();
+}
+
+// Six digits, if that is all that rounding to float32 can have moved.
+double rounded_length(double length) {
+  const double rounded = std::strtod(text(length).c_str(), nullptr);
+  return std::abs(rounded - length) <= 1e-6 * length ? rounded : length;
+}
+
+double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+constexpr const char* way_out = "; correct the header, or give --spacing X Y Z in its place";
+
+void check_right_angles(const Volume& volume, const std::string& what) {
+  for (std::size_t a = 0; a < 3; ++a) {
+    const std::size_t b = (a + 1) % 3;
+    const double cosine = dot(volume.direction[a], volume.direction[b]);
+    if (std::abs(cosine) <= shear_tolerance) continue;
+    const double degrees = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
+    throw InvalidInput(
+        what + ": its axes " + axis_names[a] + " and " + axis_names[b] + " meet at " +
+        text(degrees) + " degrees (sheared); read as a box, lengths would be wrong " + "by up to " +
+        text(100 * std::abs(cosine)) + " %: resample it to right angles, or give --spacing " +
+        text(volume.spacing[0]) + " " + text(volume.spacing[1]) + " " + text(volume.spacing[2]) +
+        " to read it as that box");
+  }
+}
+
+}  // namespace
+
+void place(Volume& volume, const Placement& placement, const std::optional<Vec3>& spacing,
+           const std::string& what) {
+  if (spacing) {
+    volume.spacing = *spacing;
+    return;
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Vec3& column = placement.columns[axis];
+    const double length = std::hypot(column[0], column[1], column[2]);
+    if (!is_spacing(length)) {
+      throw InvalidInput(what + ": its header states the spacing " + text(length) + " along " +
+                         axis_names[axis] + ", which is not between 1e-18 and 1e18" + way_out);
+    }
+    if (!std::isfinite(placement.origin[axis])) {
+      throw InvalidInput(what + ": its header states an origin that is not finite" + way_out);
+    }
+    volume.spacing[axis] = rounded_length(length);
+    for (std::size_t c = 0; c < 3; ++c) volume.direction[axis][c] = column[c] / length;
+  }
+  volume.origin = placement.origin;
+  volume.frame = placement.frame;
+  check_right_angles(volume, what);
+}
+
+std::array<Vec3, 3> columns_of(const Vec3& spacing, const std::string& what) {
+  std::array<Vec3, 3> columns{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double length = spacing[axis];
+    const std::string stated =
+        what + ": its header states the spacing " + text(length) + " along " + axis_names[axis];
+    if (length < 0.0) {
+      throw InvalidInput(stated + ", which may mean a length of " + text(-length) +
+                         " or an axis that runs backwards, and isoloop does not guess" + way_out);
+    }
+    if (!std::isfinite(length) || length == 0.0) throw InvalidInput(stated + way_out);
+    columns[axis][axis] = length;
+  }
+  return columns;
+}
+
+Vec3 to_world(const Placement& placement, const Vec3& index) {
+  Vec3 world = placement.origin;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t c = 0; c < 3; ++c) world[c] += index[axis] * placement.columns[axis][c];
+  }
+  return world;
+}
+
+double largest_distance(const Placement& a, const Placement& b, const Index3& dims) {
+  double largest = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    Vec3 index{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      index[axis] = (corner >> axis & 1) != 0 ? static_cast<double>(dims[axis] - 1) : 0.0;
+    }
+    const double apart = distance(to_world(a, index), to_world(b, index));
+    if (std::isnan(apart)) return apart;
+    largest = std::max(largest, apart);
+  }
+  return largest;
+}
+
+void turn_frame(Volume& volume, Frame frame, const std::string& what) {
+  if (volume.frame == frame) return;
+  if (volume.frame != Frame::lps && volume.frame != Frame::ras) {
+    throw InvalidArgument(what + ": the file does not say where left and right are, so --world " +
+                          "cannot turn its coordinates");
+  }
+  for (std::size_t c = 0; c < 2; ++c) {
+    volume.origin[c] = 0.0 - volume.origin[c];
+    for (Vec3& axis : volume.direction) axis[c] = 0.0 - axis[c];
+  }
+  volume.frame = frame;
+}
+
+}  // namespace isoloop

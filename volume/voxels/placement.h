@@ -1,0 +1,56 @@
+// Where a header puts its voxels in the world, and the headers that make no sense.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "volume/voxels/crop.h"
+#include "volume/voxels/volume.h"
+
+namespace isoloop {
+
+/// Which of a NIfTI header's two maps to the world to use.
+enum class NiftiTransform { automatic, sform, qform };
+
+/// What a caller may ask of any format that is not raw or OpenVDB.
+struct FormatOptions {
+  std::optional<std::int64_t> frame{};    // of a 4-D file, from 0; unset: the file must hold one
+  std::optional<std::int64_t> channel{};  // of a TIFF file, from 0; unset: the file must hold one
+  std::optional<Vec3> spacing{};  // length per voxel; replaces all that the file says of where
+  std::string series{};           // of a folder of DICOM slices: (part of) its identifier
+  std::string array{};            // of a .vti file; empty: the active or only one
+  NiftiTransform transform = NiftiTransform::automatic;
+  std::optional<CropBox> crop{};  // voxels to read, where a format can leave others out: see crop()
+};
+
+/// The map from voxel indices to the world, as a header states it.
+struct Placement {
+  std::array<Vec3, 3> columns{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};  // along index axis a
+  Vec3 origin{0.0, 0.0, 0.0};  // of the centre of voxel (0, 0, 0)
+  Frame frame = Frame::index;
+};
+
+/// Sets the volume's spacing, direction, origin and frame; with `spacing` given those of a file
+/// without a frame. Lengths within 10^-6 of a number of six digits are that number: headers store
+/// unit vectors and lengths as float32. Throws InvalidInput, with the readings that are possible,
+/// if an axis has no length, a number is not finite, or axes are not at right angles.
+void place(Volume& volume, const Placement& placement, const std::optional<Vec3>& spacing,
+           const std::string& what);
+
+/// Columns of these lengths along the world's axes. Throws InvalidInput, with both readings, if one
+/// is negative, and if one is 0 or not finite.
+std::array<Vec3, 3> columns_of(const Vec3& spacing, const std::string& what);
+
+/// Where the placement puts a voxel.
+Vec3 to_world(const Placement& placement, const Vec3& index);
+
+/// The largest distance between where two placements put a corner of the volume.
+double largest_distance(const Placement& a, const Placement& b, const Index3& dims);
+
+/// The same placement in the other of the frames LPS and RAS, which differ by the signs of the
+/// first two coordinates. Throws InvalidArgument if the volume's frame is neither.
+void turn_frame(Volume& volume, Frame frame, const std::string& what);
+
+}  // namespace isoloop
