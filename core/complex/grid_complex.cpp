@@ -58,11 +58,9 @@ std::vector<std::uint32_t> gather(const Lattice& lattice, const Visit& visit) {
 
 }  // namespace
 
-GridComplex::GridComplex(const Sides& sides, const EdgeIndex& edges, const EdgeSizes& sizes,
-                         Side side)
+GridComplex::GridComplex(const Sides& sides, const EdgeIndex& edges, Side side)
     : sides_(sides),
       edges_(edges),
-      sizes_(sizes),
       side_(side),
       many_cells_(side == Side::inside ? Sides::many_inside_cells : Sides::many_outside_cells) {
   const Lattice& lattice = sides.lattice;
@@ -110,20 +108,6 @@ std::uint32_t GridComplex::cell_bound() const {
   return sides_.lattice.vertex_count() + extra_cells_ + 1;
 }
 
-std::vector<std::uint32_t> GridComplex::pieces() const {
-  std::vector<std::uint32_t> all;
-  for (std::uint32_t layer = 0; layer < layer_count(); ++layer)
-    for_each_piece(layer, [&](std::uint32_t piece) { all.push_back(piece); });
-  return all;
-}
-
-std::vector<std::uint32_t> GridComplex::edges() const {
-  std::vector<std::uint32_t> all;
-  for (std::uint32_t layer = 0; layer < layer_count(); ++layer)
-    for_each_edge(layer, [&](std::uint32_t edge) { all.push_back(edge); });
-  return all;
-}
-
 bool GridComplex::is_split(std::uint32_t face, unsigned on_side) const {
   if (!is_ambiguous(on_side)) return false;
   const bool joined = (sides_.cubes[face / 3] >> (face % 3) & Sides::lower_face_joined) != 0;
@@ -162,18 +146,6 @@ std::uint32_t GridComplex::cell_at(std::uint32_t cube, std::uint32_t corner) con
   if (number == 0) return cube;
   return sides_.lattice.vertex_count() + first_extra_cell_[position_in(many_celled_, cube)] +
          number - 1;
-}
-
-float GridComplex::size_near_surface(std::uint32_t piece) const {
-  float largest = 0.0F;
-  for (const std::uint32_t edge : edges_of(piece)) largest = std::max(largest, edge_size(edge));
-  return largest;
-}
-
-float GridComplex::edge_size(std::uint32_t edge) const {
-  return side_ == Side::outside && edges_.is_cut(edge)
-             ? sizes_.of_outside_half[edges_.vertex_on(edge)]
-             : sizes_.by_edge[edge];
 }
 
 std::array<std::uint32_t, 2> GridComplex::cells_near_surface(std::uint32_t piece) const {

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/short_list.h"
 #include "core/complex/complex.h"
 #include "core/cube/sides.h"
-#include "core/sizes/geodesic_size.h"
 #include "core/surface/edge_index.h"
 
 namespace isoloop {
@@ -21,15 +21,13 @@ namespace isoloop {
 /// boundary is open. An interior edge, full or cut, has the number of its grid edge.
 class GridComplex {
  public:
-  /// Keeps references: all three must outlive it.
-  GridComplex(const Sides& sides, const EdgeIndex& edges, const EdgeSizes& sizes, Side side);
+  /// Keeps references: both must outlive it.
+  GridComplex(const Sides& sides, const EdgeIndex& edges, Side side);
 
   std::uint32_t piece_bound() const;
   std::uint32_t cell_bound() const;
   std::uint32_t edge_bound() const { return 3 * sides_.lattice.vertex_count(); }
 
-  std::vector<std::uint32_t> pieces() const;
-  std::vector<std::uint32_t> edges() const;
   std::uint32_t layer_count() const { return sides_.lattice.dims[2] + 1; }
   std::uint32_t first_cell(std::uint32_t layer) const {
     return std::min(layer, sides_.lattice.dims[2]) * sides_.lattice.stride[2];
@@ -44,8 +42,12 @@ class GridComplex {
   unsigned faces_at(std::uint32_t v, const std::array<std::uint32_t, 3>& position) const;
   unsigned edges_at(std::uint32_t v, const std::array<std::uint32_t, 3>& position) const;
   unsigned plain_rings_at(std::uint32_t v, const std::array<std::uint32_t, 3>& position) const;
-  float size(std::uint32_t piece) const;
-  float edge_size(std::uint32_t edge) const;  // of an interior edge, or of its half on this side
+  /// Whether the piece is a whole face of the grid: M cuts none of its edges, which are
+  /// face_edges().
+  bool is_whole_face(std::uint32_t piece) const {
+    return piece < edge_bound() && corners_on_side(piece) == 15U;
+  }
+  std::array<std::uint32_t, 4> face_edges(std::uint32_t face) const;
   std::array<std::uint32_t, 2> cells(std::uint32_t piece) const;
   ShortList<std::uint32_t, 4> edges_of(std::uint32_t piece) const;
   ShortList<std::uint32_t, 8> ring(std::uint32_t edge) const;  // in cyclic order
@@ -70,7 +72,6 @@ class GridComplex {
   };
   std::vector<Beyond> beyond_walls() const;
 
-  /// The segments of M on the piece's border, as pairs of vertices of M.
   ShortList<std::array<std::uint32_t, 2>, 2> segments(std::uint32_t piece) const;
 
   /// The grid vertices at the piece's corners on this side.
@@ -91,7 +92,6 @@ class GridComplex {
   };
 
   // The answers where M is near, or the border of the box.
-  float size_near_surface(std::uint32_t piece) const;
   std::array<std::uint32_t, 2> cells_near_surface(std::uint32_t piece) const;
   ShortList<std::uint32_t, 4> edges_near_surface(std::uint32_t piece) const;
   ShortList<std::uint32_t, 8> ring_near_surface(std::uint32_t edge) const;
@@ -120,14 +120,12 @@ class GridComplex {
   std::array<std::uint32_t, 4> face_pieces(std::uint32_t edge) const;
   std::array<std::uint32_t, 4> walls_at(std::uint32_t edge) const;
   std::array<std::uint32_t, 4> face_corners(std::uint32_t face) const;
-  std::array<std::uint32_t, 4> face_edges(std::uint32_t face) const;
   unsigned corners_on_side(std::uint32_t face) const;
   bool is_split(std::uint32_t face, unsigned on_side) const;
   Piece describe(std::uint32_t piece) const;
 
   const Sides& sides_;
   const EdgeIndex& edges_;
-  const EdgeSizes& sizes_;
   Side side_;
   std::uint8_t many_cells_;                      // the flag of cubes with more than one cell here
   std::vector<std::uint32_t> split_faces_;       // with two pieces here; ascending
@@ -228,14 +226,6 @@ void GridComplex::for_each_edge(std::uint32_t layer, const Visit& visit) const {
     }
 }
 
-inline float GridComplex::size(std::uint32_t piece) const {
-  if (piece >= edge_bound() || corners_on_side(piece) != 15U) return size_near_surface(piece);
-  float largest = 0.0F;
-  for (const std::uint32_t edge : face_edges(piece))
-    largest = std::max(largest, sizes_.by_edge[edge]);
-  return largest;
-}
-
 inline std::array<std::uint32_t, 2> GridComplex::cells(std::uint32_t piece) const {
   const std::uint32_t v = piece / 3;
   if (piece >= edge_bound() || on_border(v)) return cells_near_surface(piece);
@@ -246,7 +236,7 @@ inline std::array<std::uint32_t, 2> GridComplex::cells(std::uint32_t piece) cons
 }
 
 inline ShortList<std::uint32_t, 4> GridComplex::edges_of(std::uint32_t piece) const {
-  if (piece >= edge_bound() || corners_on_side(piece) != 15U) return edges_near_surface(piece);
+  if (!is_whole_face(piece)) return edges_near_surface(piece);
   return {face_edges(piece), 4};
 }
 
@@ -263,6 +253,6 @@ inline ShortList<std::uint32_t, 8> GridComplex::ring(std::uint32_t edge) const {
   return {{3 * v + uc, 3 * v + ub, 3 * before_b + uc, 3 * before_c + ub}, 4};
 }
 
-static_assert(Complex<GridComplex>);
+static_assert(Complex<GridComplex> && MeetsSurface<GridComplex>);
 
 }  // namespace isoloop

@@ -101,15 +101,15 @@ class Propagation {
 };
 
 /// Replaces eliminated generators in all labels and renumbers the rest in order of killing.
-template <Complex C>
-DualPass finish(const C& complex, Propagation<C>& state, const std::vector<std::uint32_t>& born) {
+template <Complex C, PieceSizes S>
+DualPass finish(const S& sizes, Propagation<C>& state, const std::vector<std::uint32_t>& born) {
   DualPass pass;
   std::vector<std::uint32_t> number(born.size());
   for (std::size_t i = born.size(); i-- > 0;) {
     const auto generator = static_cast<std::uint32_t>(i);
     if (state.elimination.is_eliminated(generator)) continue;
     number[i] = static_cast<std::uint32_t>(pass.killing.size());
-    pass.killing.push_back({born[i], complex.size(born[i])});
+    pass.killing.push_back({born[i], sizes.of_piece(born[i])});
   }
   std::vector<std::uint32_t> final_label(state.pool.count());
   for (std::uint32_t label = 0; label < state.pool.count(); ++label) {
@@ -151,12 +151,12 @@ bool sums_to_zero(const GridComplex& complex, std::uint32_t edge, const DualPass
 
 }  // namespace
 
-DualPass dual_pass(const GridComplex& complex) {
-  Propagation state(complex, zero_labels(complex, largest_forest(complex)));
+DualPass dual_pass(const GridComplex& complex, const GridSizes& sizes) {
+  Propagation state(complex, zero_labels(complex, largest_forest(complex, sizes)));
   std::vector<std::uint32_t> born;
   std::vector<std::uint32_t> largest;
   do {
-    largest = largest_missing(complex, state.known());
+    largest = largest_missing(sizes, complex.piece_bound(), state.known());
     for (const std::uint32_t piece : largest) {
       if (state.known()[piece]) continue;
       const auto generator = static_cast<std::uint32_t>(born.size());
@@ -165,7 +165,7 @@ DualPass dual_pass(const GridComplex& complex) {
       state.run();
     }
   } while (!largest.empty());
-  return finish(complex, state, born);
+  return finish(sizes, state, born);
 }
 
 bool labels_are_consistent(const GridComplex& complex, const DualPass& pass) {

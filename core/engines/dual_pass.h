@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/complex/grid_complex.h"
+#include "core/complex/grid_sizes.h"
 #include "core/z2/label.h"
 
 namespace isoloop {
@@ -28,7 +29,7 @@ struct DualPass {
 /// by propagation and elimination of the youngest generator. The pieces found are those that PAIR
 /// (Dey, Li, Sun, Cohen-Steiner, SIGGRAPH 2008, algorithm 1) pairs with edges of M under the same
 /// total order, by Lefschetz duality of (side, M). Near-linear where labels are short.
-DualPass dual_pass(const GridComplex& complex);
+DualPass dual_pass(const GridComplex& complex, const GridSizes& sizes);
 
 /// Whether the labels round every interior edge sum to 0 and each killing piece has its own label.
 /// Checks what a caller would otherwise have to believe; linear in the labels that are not empty.

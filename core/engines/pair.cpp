@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <bit>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -28,12 +27,12 @@ namespace {
 /// The pieces whose triangles may kill a cycle, oldest first. A piece that closes off a part of
 /// the side gives birth to a void: its column reduces to 0 (clearing). By duality those are the
 /// pieces that join two components of cells when the filtration is read backwards.
-std::vector<std::uint32_t> killing_candidates(const GridComplex& complex, Refinement refinement) {
-  std::vector<std::uint32_t> pieces;
+std::vector<std::uint32_t> killing_candidates(const SizedSide& side, Refinement refinement) {
+  const GridComplex& complex = side.complex;
+  std::vector<std::uint32_t> pieces = all_pieces(complex);
   if (orders_by_size(refinement)) {
-    pieces = pieces_from_largest(complex);
+    pieces = from_largest(side.sizes, std::move(pieces));
   } else {
-    pieces = complex.pieces();
     std::reverse(pieces.begin(), pieces.end());
   }
   DisjointSets cells(complex.cell_bound());
@@ -58,19 +57,18 @@ struct SideRows {
 };
 
 /// Rows of the edges off M: those of M are older, `first` in number.
-SideRows rows_off_surface(const GridComplex& complex, Refinement refinement, std::uint32_t first) {
-  std::vector<std::uint32_t> edges = complex.edges();
+SideRows rows_off_surface(const SizedSide& side, Refinement refinement, std::uint32_t first) {
+  std::vector<std::uint32_t> edges = all_edges(side.complex);
   if (edges.size() > std::numeric_limits<std::uint32_t>::max() - first)
     throw LimitExceeded("the volume has too many edges for 32-bit rows: crop it");
   if (orders_by_size(refinement)) {
     std::vector<std::uint64_t> keys(edges.size());
     for (std::size_t i = 0; i < edges.size(); ++i)
-      keys[i] =
-          std::uint64_t{std::bit_cast<std::uint32_t>(complex.edge_size(edges[i]))} << 32 | edges[i];
+      keys[i] = order_key(side.sizes.of_edge(edges[i]), edges[i]);
     boost::sort::spreadsort::integer_sort(keys.begin(), keys.end());
     for (std::size_t i = 0; i < edges.size(); ++i) edges[i] = static_cast<std::uint32_t>(keys[i]);
   }
-  SideRows rows{std::vector<std::uint32_t>(complex.edge_bound()), first};
+  SideRows rows{std::vector<std::uint32_t>(side.complex.edge_bound()), first};
   for (const std::uint32_t edge : edges) rows.of_edge[edge] = rows.bound++;
   return rows;
 }
@@ -105,31 +103,32 @@ class ReducedColumns {
 
 /// A piece that kills, and the first cycle on M that its reduction comes to.
 struct FirstCycle {
-  const GridComplex* complex = nullptr;
+  Side side = Side::inside;
   std::uint32_t piece = 0;
+  float size = 0.0F;  // of the piece
   std::vector<std::uint32_t> rows;
 };
 
 /// The reduction as far as edges off M go, which knows nothing of the other side.
 class SidePairing {
  public:
-  SidePairing(const Surface& surface, const SurfaceOrder& order, const GridComplex& complex,
+  SidePairing(const Surface& surface, const SurfaceOrder& order, const SizedSide& side,
               Refinement refinement)
       : surface_(surface),
         order_(order),
-        complex_(complex),
+        side_(side),
         refinement_(refinement),
-        rows_(rows_off_surface(complex, refinement, order.row_count())),
+        rows_(rows_off_surface(side, refinement, order.row_count())),
         column_(rows_.bound),
         columns_(rows_.bound) {}
 
   /// Stops at `at_most` cycles, and where none is `missing` on either side; counts `missing` down.
   std::vector<FirstCycle> run(std::int64_t at_most, std::atomic<std::int64_t>& missing) {
     std::vector<FirstCycle> found;
-    for (const std::uint32_t piece : killing_candidates(complex_, refinement_)) {
+    for (const std::uint32_t piece : killing_candidates(side_, refinement_)) {
       if (static_cast<std::int64_t>(found.size()) == at_most || missing <= 0) break;
       if (pair_off_surface(piece)) continue;
-      found.push_back({&complex_, piece, {}});
+      found.push_back({Side::inside, piece, side_.sizes.of_piece(piece), {}});
       column_.drain(found.back().rows);
       --missing;
     }
@@ -139,9 +138,9 @@ class SidePairing {
  private:
   void load_border(std::uint32_t piece) {
     border_.clear();
-    for (const std::uint32_t edge : complex_.edges_of(piece))
+    for (const std::uint32_t edge : side_.complex.edges_of(piece))
       border_.push_back(rows_.of_edge[edge]);
-    for (const auto& segment : complex_.segments(piece))
+    for (const auto& segment : side_.complex.segments(piece))
       border_.push_back(row_between(surface_, order_, segment[0], segment[1]));
   }
 
@@ -169,7 +168,7 @@ class SidePairing {
 
   const Surface& surface_;
   const SurfaceOrder& order_;
-  const GridComplex& complex_;
+  const SizedSide& side_;
   Refinement refinement_;
   SideRows rows_;
   BitColumn column_;
@@ -178,8 +177,9 @@ class SidePairing {
 };
 
 struct Killing {
-  const GridComplex* complex = nullptr;
+  Side side = Side::inside;
   std::uint32_t piece = 0;
+  float size = 0.0F;                 // of the piece
   std::vector<std::uint32_t> cycle;  // rows
   GeneratorSet unpaired;             // of the cycle at the end of the reduction: rows of M's
                                      // edges that stay unpaired after M, ascending
@@ -197,7 +197,7 @@ class CyclePairing {
 
   /// Reduces a cycle down to an edge that is unpaired still.
   Killing reduce(const FirstCycle& first) {
-    Killing killing{first.complex, first.piece, {}, {}};
+    Killing killing{first.side, first.piece, first.size, {}, {}};
     load(first.rows);
     double length = 0.0;
     for (const std::uint32_t row : first.rows) length += length_of_row(row);
@@ -282,17 +282,19 @@ class EdgePairing {
 using FirstCycles = std::array<std::vector<FirstCycle>, 2>;  // inside, outside
 
 FirstCycles find_first_cycles(const Surface& surface, const SurfaceOrder& order,
-                              const GridComplex& inside, const GridComplex& outside,
+                              const SizedSide& inside, const SizedSide& outside,
                               Refinement refinement) {
   // How many classes die on each side is known where M is closed; together they are all of H1(M).
   const std::int64_t at_most =
       surface.boundary == Boundary::closed ? surface.genus() : surface.betti1();
   std::atomic<std::int64_t> missing = surface.betti1();
   FirstCycles found;
-  const auto run = [&](const GridComplex& complex, std::vector<FirstCycle>& cycles) {
-    cycles = SidePairing(surface, order, complex, refinement).run(at_most, missing);
+  const auto run = [&](Side at, const SizedSide& side, std::vector<FirstCycle>& cycles) {
+    cycles = SidePairing(surface, order, side, refinement).run(at_most, missing);
+    for (FirstCycle& cycle : cycles) cycle.side = at;
   };
-  run_both([&] { run(inside, found[0]); }, [&] { run(outside, found[1]); });
+  run_both([&] { run(Side::inside, inside, found[0]); },
+           [&] { run(Side::outside, outside, found[1]); });
   if (missing != 0)
     throw SelfCheckFailed("of " + std::to_string(surface.betti1()) +
                           " independent loops on the surface PAIR left " +
@@ -306,8 +308,7 @@ std::vector<Killing> reduce_cycles(const Surface& surface, const SurfaceOrder& o
   if (surface.boundary == Boundary::open) {
     std::vector<FirstCycle> merged;
     const auto key = [&](const FirstCycle& cycle) {
-      return std::pair(orders_by_size(refinement) ? cycle.complex->size(cycle.piece) : 0.0F,
-                       cycle.piece);
+      return std::pair(orders_by_size(refinement) ? cycle.size : 0.0F, cycle.piece);
     };
     std::merge(found[0].begin(), found[0].end(), found[1].begin(), found[1].end(),
                std::back_inserter(merged),
@@ -334,8 +335,8 @@ bool orders_by_size(Refinement refinement) {
   return refinement == Refinement::second || refinement == Refinement::both;
 }
 
-std::vector<SurfacePair> pair_simplices(const Surface& surface, const GridComplex& inside,
-                                        const GridComplex& outside, const PairOptions& options) {
+std::vector<SurfacePair> pair_simplices(const Surface& surface, const SizedSide& inside,
+                                        const SizedSide& outside, const PairOptions& options) {
   const SurfaceOrder order = order_surface(surface);
   FirstCycles found = find_first_cycles(surface, order, inside, outside, options.refinement);
   EdgePairing edges;
@@ -344,16 +345,16 @@ std::vector<SurfacePair> pair_simplices(const Surface& surface, const GridComple
        reduce_cycles(surface, order, std::move(found), options.refinement)) {
     SurfacePair& pair = pairs.emplace_back();
     pair.edge = order.edges[edges.take(killing.unpaired)];
-    pair.side = killing.complex->side();
+    pair.side = killing.side;
     pair.piece = killing.piece;
-    pair.size = killing.complex->size(killing.piece);
+    pair.size = killing.size;
     for (const std::uint32_t row : killing.cycle) pair.cycle.push_back(order.edges[row]);
   }
   return pairs;
 }
 
 std::uint64_t fan_triangle_count(const GridComplex& complex) {
-  const std::vector<std::uint32_t> pieces = complex.pieces();
+  const std::vector<std::uint32_t> pieces = all_pieces(complex);
   return std::accumulate(
       pieces.begin(), pieces.end(), std::uint64_t{0}, [&](std::uint64_t sum, std::uint32_t piece) {
         return sum + complex.edges_of(piece).count + complex.segments(piece).count - 2;

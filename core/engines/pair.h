@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/complex/grid_complex.h"
+#include "core/complex/grid_sizes.h"
 #include "core/surface/surface.h"
 
 namespace isoloop {
@@ -37,6 +38,12 @@ struct SurfacePair {
   std::vector<std::array<std::uint32_t, 2>> cycle;  // killed; edges of M, each once
 };
 
+/// One side, and what orders it.
+struct SizedSide {
+  const GridComplex& complex;
+  const GridSizes& sizes;
+};
+
 /// Algorithm 1 of the paper on the 2-skeleton of K: M first, then one side, each side for itself
 /// after M. Returns 2 genus(M) pairs, those of the inside first, each side's in the order in which
 /// they kill. All edges differ, as in the filtration M, inside, outside; every cycle bounds on its
@@ -47,9 +54,8 @@ struct SurfacePair {
 /// of its edges: all but the last triangle pair with them, and the last one's border comes to the
 /// border of the piece, where the reduction starts. Near-cubic at worst, for all that it skips.
 /// Throws SelfCheckFailed unless every class of H1(M) dies, half of them inside where M is closed.
-std::vector<SurfacePair> pair_simplices(const Surface& surface, const GridComplex& inside,
-                                        const GridComplex& outside,
-                                        const PairOptions& options = {});
+std::vector<SurfacePair> pair_simplices(const Surface& surface, const SizedSide& inside,
+                                        const SizedSide& outside, const PairOptions& options = {});
 
 /// Triangles of K off M on one side: each piece of a face counts as the fan that it is cut into.
 std::uint64_t fan_triangle_count(const GridComplex& complex);

@@ -48,20 +48,21 @@ struct Entry {
   int face = 0;
 };
 
-std::vector<Entry> entries_of(const GridComplex& complex, const ExplicitComplex& slow) {
+std::vector<Entry> entries_of(const GridComplex& complex, const GridSizes& sizes,
+                              const ExplicitComplex& slow) {
   const std::map<FaceKey, int> faces = faces_off_surface(slow, complex.side());
   std::map<std::uint32_t, std::uint32_t> cube_of_wall;
   for (const GridComplex::Beyond& beyond : complex.beyond_walls())
     cube_of_wall[beyond.piece] = beyond.cube;
   std::vector<Entry> entries;
-  for (const std::uint32_t piece : complex.pieces()) {
+  for (const std::uint32_t piece : all_pieces(complex)) {
     const auto edges = complex.edges_of(piece);
     FaceKey key{place_of(complex.side()), {edges.begin(), edges.end()}};
     const auto wall = cube_of_wall.find(piece);
     if (wall != cube_of_wall.end()) key.cube_of_wall = wall->second;
     const auto found = faces.find(key);
     if (found == faces.end()) throw std::logic_error("the oracle lacks a piece");
-    entries.push_back({complex.size(piece), {complex.side(), piece}, found->second});
+    entries.push_back({sizes.of_piece(piece), {complex.side(), piece}, found->second});
   }
   if (entries.size() != faces.size()) throw std::logic_error("the pieces differ in number");
   return entries;
@@ -73,7 +74,8 @@ std::vector<SidedPiece> slow_killing_pieces(const Prepared& prepared, const Expl
                                             std::span<const Side> sides) {
   std::vector<Entry> entries;
   for (const Side side : sides) {
-    const std::vector<Entry> more = entries_of(prepared.complex(side), slow);
+    const std::vector<Entry> more =
+        entries_of(prepared.complex(side), prepared.sizes_on(side), slow);
     entries.insert(entries.end(), more.begin(), more.end());
   }
   std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {

@@ -30,7 +30,7 @@ std::string compare_with_oracle(const SmallVolume& volume, std::atomic<std::size
     const GridComplex& complex = prepared.complex(side);
     const std::vector<testing::SidedPiece> expected =
         testing::slow_killing_pieces(prepared, slow, {&side, 1});
-    const DualPass pass = dual_pass(complex);
+    const DualPass pass = prepared.pass_on(side);
     std::vector<testing::SidedPiece> found;
     for (const KillingPiece& killing : pass.killing) found.push_back({side, killing.piece});
     if (found != expected)
@@ -95,11 +95,11 @@ TEST(DualPass, PiecesOfALabelAreNoLargerThanItsKillingPiece) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     const Prepared prepared(testing::smooth_noise({14, 14, 14}, seed, 1));
     for (const Side side : {Side::inside, Side::outside}) {
-      const GridComplex& complex = prepared.complex(side);
-      const DualPass pass = dual_pass(complex);
+      const GridSizes sizes = prepared.sizes_on(side);
+      const DualPass pass = prepared.pass_on(side);
       pass.labels.for_each([&](std::uint32_t piece, std::uint32_t label) {
         for (const std::uint32_t generator : pass.pool.generators(label))
-          ASSERT_LE(std::pair(complex.size(piece), piece),
+          ASSERT_LE(std::pair(sizes.of_piece(piece), piece),
                     std::pair(pass.killing[generator].size, pass.killing[generator].piece));
       });
     }
@@ -109,7 +109,7 @@ TEST(DualPass, PiecesOfALabelAreNoLargerThanItsKillingPiece) {
 TEST(DualPass, InconsistentLabelsAreNoticed) {
   const Prepared prepared(testing::torus({16, 16, 16}));
   const GridComplex& complex = prepared.complex(Side::inside);
-  DualPass pass = dual_pass(complex);
+  DualPass pass = prepared.pass_on(Side::inside);
   ASSERT_TRUE(labels_are_consistent(complex, pass));
   const std::uint32_t piece = pass.killing.front().piece;
   const std::uint32_t own = pass.labels[piece];
