@@ -259,8 +259,8 @@ Workings work_out_loops(const AnyGridView& grid, const IsoLevel& level,
   if (options.engine == Engine::pair)
     analysis.pairs = clock.run("pair", 0.7, seconds.pair, [&] {
       std::vector<SurfacePair> pairs =
-          pair_simplices(surface, {inside, workings.sizes_of(workings.inside)},
-                         {outside, workings.sizes_of(workings.outside)}, options.pair);
+          pair_simplices(surface, SizedSide{inside, workings.sizes_of(workings.inside)},
+                         SizedSide{outside, workings.sizes_of(workings.outside)}, options.pair);
       if (orders_by_size(options.pair.refinement)) check_engines_agree(pairs, workings);
       return pairs;
     });

@@ -5,9 +5,14 @@
 #include <array>
 #include <concepts>
 #include <cstdint>
+#include <ranges>
 #include <vector>
 
 namespace isoloop {
+
+/// A few values, one after another.
+template <class L, class T>
+concept ListOf = std::ranges::random_access_range<L> && std::same_as<std::ranges::range_value_t<L>, T>;
 
 /// What orders the pieces. Unit of the spacing; not negative, may be infinite.
 template <class S>
@@ -48,17 +53,9 @@ concept Complex = DualGraph<C> &&
   { complex.edge_bound() } -> std::convertible_to<std::uint32_t>;
   complex.for_each_edge(layer, visit);
   /// The interior edges on the piece's border.
-  { complex.edges_of(piece).begin() } -> std::convertible_to<const std::uint32_t*>;
+  { complex.edges_of(piece) } -> ListOf<std::uint32_t>;
   /// The pieces round an interior edge.
-  { complex.ring(edge).begin() } -> std::convertible_to<const std::uint32_t*>;
-};
-
-/// What is there of M on the borders of pieces: what the borders of the surfaces that labels span
-/// ask, and PAIR beside a Complex.
-template <class C>
-concept MeetsSurface = requires(const C& complex, std::uint32_t piece) {
-  /// The segments of M on the piece's border, as pairs of vertices of M.
-  { complex.segments(piece).begin() } -> std::convertible_to<const std::array<std::uint32_t, 2>*>;
+  { complex.ring(edge) } -> ListOf<std::uint32_t>;
 };
 
 /// Every piece, ascending.

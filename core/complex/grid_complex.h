@@ -8,6 +8,7 @@
 
 #include "core/base/short_list.h"
 #include "core/complex/complex.h"
+#include "core/complex/near_surface.h"
 #include "core/cube/sides.h"
 #include "core/surface/edge_index.h"
 
@@ -52,32 +53,11 @@ class GridComplex {
   ShortList<std::uint32_t, 4> edges_of(std::uint32_t piece) const;
   ShortList<std::uint32_t, 8> ring(std::uint32_t edge) const;  // in cyclic order
 
-  /// The four pieces of faces round the half of a cut edge on this side, in cyclic order, and the
-  /// lowest corners of the cubes between them: cube i lies between pieces i and i + 1. A wall that
-  /// ends at the edge within cube i parts it further.
-  struct CutRing {
-    std::array<std::uint32_t, 4> pieces;
-    std::array<std::uint32_t, 4> cubes;
-    std::array<std::uint32_t, 4> walls;  // or none
-  };
-  static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
   CutRing cut_ring(std::uint32_t edge) const;
-
-  /// Where triangles of M meet a wall at one of its vertices from beyond it: after the wall in the
-  /// order of the cut ring, or in one of the two sectors at a vertex within the cube.
-  struct Beyond {
-    std::uint32_t piece;  // the wall
-    std::uint32_t cube;
-    CubeWall::TriangleCorner at;  // a corner of that triangle among the cube's own
-  };
-  std::vector<Beyond> beyond_walls() const;
-
+  std::vector<BeyondWall> beyond_walls() const;
   ShortList<std::array<std::uint32_t, 2>, 2> segments(std::uint32_t piece) const;
 
-  /// The grid vertices at the piece's corners on this side.
   ShortList<std::uint32_t, 4> corners(std::uint32_t piece) const;
-
-  /// The piece of the face, and the cell of the cube, at a corner on this side.
   std::uint32_t piece_at(std::uint32_t face, std::uint32_t corner) const;
   std::uint32_t cell_at(std::uint32_t cube, std::uint32_t corner) const;
 
@@ -253,6 +233,6 @@ inline ShortList<std::uint32_t, 8> GridComplex::ring(std::uint32_t edge) const {
   return {{3 * v + uc, 3 * v + ub, 3 * before_b + uc, 3 * before_c + ub}, 4};
 }
 
-static_assert(Complex<GridComplex> && MeetsSurface<GridComplex>);
+static_assert(BesideSurface<GridComplex> && MeetsSurface<GridComplex> && HoldsVoxels<GridComplex>);
 
 }  // namespace isoloop

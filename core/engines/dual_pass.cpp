@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/complex/grid_complex.h"
+#include "core/complex/grid_sizes.h"
 #include "core/complex/order.h"
 #include "core/engines/spanning_forest.h"
 #include "core/engines/zero_labels.h"
@@ -124,7 +126,8 @@ DualPass finish(const S& sizes, Propagation<C>& state, const std::vector<std::ui
 }
 
 /// Whether each generator is in an even number of the labels round the edge.
-bool sums_to_zero(const GridComplex& complex, std::uint32_t edge, const DualPass& pass) {
+template <Complex C>
+bool sums_to_zero(const C& complex, std::uint32_t edge, const DualPass& pass) {
   std::uint32_t one = 0;
   std::vector<std::uint32_t> generators;  // of all labels but for equal ones that follow each other
   const auto add = [&](std::uint32_t label) {
@@ -151,7 +154,8 @@ bool sums_to_zero(const GridComplex& complex, std::uint32_t edge, const DualPass
 
 }  // namespace
 
-DualPass dual_pass(const GridComplex& complex, const GridSizes& sizes) {
+template <Complex C, PieceSizes S>
+DualPass dual_pass(const C& complex, const S& sizes) {
   Propagation state(complex, zero_labels(complex, largest_forest(complex, sizes)));
   std::vector<std::uint32_t> born;
   std::vector<std::uint32_t> largest;
@@ -168,7 +172,8 @@ DualPass dual_pass(const GridComplex& complex, const GridSizes& sizes) {
   return finish(sizes, state, born);
 }
 
-bool labels_are_consistent(const GridComplex& complex, const DualPass& pass) {
+template <Complex C>
+bool labels_are_consistent(const C& complex, const DualPass& pass) {
   std::atomic<bool> consistent = true;
   pass.labels.for_each_shared([&](std::uint32_t piece, std::uint32_t) {
     for (const std::uint32_t edge : complex.edges_of(piece))
@@ -180,5 +185,8 @@ bool labels_are_consistent(const GridComplex& complex, const DualPass& pass) {
   }
   return consistent;
 }
+
+template DualPass dual_pass(const GridComplex&, const GridSizes&);
+template bool labels_are_consistent(const GridComplex&, const DualPass&);
 
 }  // namespace isoloop

@@ -5,7 +5,6 @@
 #include <atomic>
 #include <iterator>
 #include <limits>
-#include <numeric>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -16,6 +15,8 @@
 #include "core/base/disjoint_sets.h"
 #include "core/base/errors.h"
 #include "core/base/run_both.h"
+#include "core/complex/grid_complex.h"
+#include "core/complex/grid_sizes.h"
 #include "core/complex/order.h"
 #include "core/surface/surface_order.h"
 #include "core/z2/bit_column.h"
@@ -27,18 +28,18 @@ namespace {
 /// The pieces whose triangles may kill a cycle, oldest first. A piece that closes off a part of
 /// the side gives birth to a void: its column reduces to 0 (clearing). By duality those are the
 /// pieces that join two components of cells when the filtration is read backwards.
-std::vector<std::uint32_t> killing_candidates(const SizedSide& side, Refinement refinement) {
-  const GridComplex& complex = side.complex;
-  std::vector<std::uint32_t> pieces = all_pieces(complex);
+template <PairComplex C, Sizes S>
+std::vector<std::uint32_t> killing_candidates(const SizedSide<C, S>& side, Refinement refinement) {
+  std::vector<std::uint32_t> pieces = all_pieces(side.complex);
   if (orders_by_size(refinement)) {
     pieces = from_largest(side.sizes, std::move(pieces));
   } else {
     std::reverse(pieces.begin(), pieces.end());
   }
-  DisjointSets cells(complex.cell_bound());
+  DisjointSets cells(side.complex.cell_bound());
   std::size_t kept = 0;
   for (const std::uint32_t piece : pieces) {
-    const auto [a, b] = complex.cells(piece);
+    const auto [a, b] = side.complex.cells(piece);
     if (!cells.unite(a, b)) pieces[kept++] = piece;
   }
   pieces.resize(kept);
@@ -57,7 +58,8 @@ struct SideRows {
 };
 
 /// Rows of the edges off M: those of M are older, `first` in number.
-SideRows rows_off_surface(const SizedSide& side, Refinement refinement, std::uint32_t first) {
+template <PairComplex C, Sizes S>
+SideRows rows_off_surface(const SizedSide<C, S>& side, Refinement refinement, std::uint32_t first) {
   std::vector<std::uint32_t> edges = all_edges(side.complex);
   if (edges.size() > std::numeric_limits<std::uint32_t>::max() - first)
     throw LimitExceeded("the volume has too many edges for 32-bit rows: crop it");
@@ -110,9 +112,10 @@ struct FirstCycle {
 };
 
 /// The reduction as far as edges off M go, which knows nothing of the other side.
+template <PairComplex C, Sizes S>
 class SidePairing {
  public:
-  SidePairing(const Surface& surface, const SurfaceOrder& order, const SizedSide& side,
+  SidePairing(const Surface& surface, const SurfaceOrder& order, const SizedSide<C, S>& side,
               Refinement refinement)
       : surface_(surface),
         order_(order),
@@ -168,7 +171,7 @@ class SidePairing {
 
   const Surface& surface_;
   const SurfaceOrder& order_;
-  const SizedSide& side_;
+  const SizedSide<C, S>& side_;
   Refinement refinement_;
   SideRows rows_;
   BitColumn column_;
@@ -281,15 +284,16 @@ class EdgePairing {
 
 using FirstCycles = std::array<std::vector<FirstCycle>, 2>;  // inside, outside
 
+template <PairComplex C, Sizes S>
 FirstCycles find_first_cycles(const Surface& surface, const SurfaceOrder& order,
-                              const SizedSide& inside, const SizedSide& outside,
+                              const SizedSide<C, S>& inside, const SizedSide<C, S>& outside,
                               Refinement refinement) {
   // How many classes die on each side is known where M is closed; together they are all of H1(M).
   const std::int64_t at_most =
       surface.boundary == Boundary::closed ? surface.genus() : surface.betti1();
   std::atomic<std::int64_t> missing = surface.betti1();
   FirstCycles found;
-  const auto run = [&](Side at, const SizedSide& side, std::vector<FirstCycle>& cycles) {
+  const auto run = [&](Side at, const SizedSide<C, S>& side, std::vector<FirstCycle>& cycles) {
     cycles = SidePairing(surface, order, side, refinement).run(at_most, missing);
     for (FirstCycle& cycle : cycles) cycle.side = at;
   };
@@ -335,8 +339,10 @@ bool orders_by_size(Refinement refinement) {
   return refinement == Refinement::second || refinement == Refinement::both;
 }
 
-std::vector<SurfacePair> pair_simplices(const Surface& surface, const SizedSide& inside,
-                                        const SizedSide& outside, const PairOptions& options) {
+template <PairComplex C, Sizes S>
+std::vector<SurfacePair> pair_simplices(const Surface& surface, const SizedSide<C, S>& inside,
+                                        const SizedSide<C, S>& outside,
+                                        const PairOptions& options) {
   const SurfaceOrder order = order_surface(surface);
   FirstCycles found = find_first_cycles(surface, order, inside, outside, options.refinement);
   EdgePairing edges;
@@ -353,12 +359,22 @@ std::vector<SurfacePair> pair_simplices(const Surface& surface, const SizedSide&
   return pairs;
 }
 
-std::uint64_t fan_triangle_count(const GridComplex& complex) {
-  const std::vector<std::uint32_t> pieces = all_pieces(complex);
-  return std::accumulate(
-      pieces.begin(), pieces.end(), std::uint64_t{0}, [&](std::uint64_t sum, std::uint32_t piece) {
-        return sum + complex.edges_of(piece).count + complex.segments(piece).count - 2;
-      });
+template <PairComplex C>
+std::uint64_t fan_triangle_count(const C& complex) {
+  std::uint64_t triangles = 0;
+  for (const std::uint32_t piece : all_pieces(complex)) {
+    const auto edges = complex.edges_of(piece);
+    const auto segments = complex.segments(piece);
+    triangles += static_cast<std::uint64_t>((edges.end() - edges.begin()) +
+                                            (segments.end() - segments.begin()) - 2);
+  }
+  return triangles;
 }
+
+template std::vector<SurfacePair> pair_simplices(const Surface&,
+                                                 const SizedSide<GridComplex, GridSizes>&,
+                                                 const SizedSide<GridComplex, GridSizes>&,
+                                                 const PairOptions&);
+template std::uint64_t fan_triangle_count(const GridComplex&);
 
 }  // namespace isoloop

@@ -5,8 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/complex/grid_complex.h"
-#include "core/complex/grid_sizes.h"
+#include "core/complex/near_surface.h"
 #include "core/surface/surface.h"
 
 namespace isoloop {
@@ -39,10 +38,13 @@ struct SurfacePair {
 };
 
 /// One side, and what orders it.
+template <PairComplex C, Sizes S>
 struct SizedSide {
-  const GridComplex& complex;
-  const GridSizes& sizes;
+  const C& complex;
+  const S& sizes;
 };
+template <PairComplex C, Sizes S>
+SizedSide(const C&, const S&) -> SizedSide<C, S>;
 
 /// Algorithm 1 of the paper on the 2-skeleton of K: M first, then one side, each side for itself
 /// after M. Returns 2 genus(M) pairs, those of the inside first, each side's in the order in which
@@ -54,10 +56,14 @@ struct SizedSide {
 /// of its edges: all but the last triangle pair with them, and the last one's border comes to the
 /// border of the piece, where the reduction starts. Near-cubic at worst, for all that it skips.
 /// Throws SelfCheckFailed unless every class of H1(M) dies, half of them inside where M is closed.
-std::vector<SurfacePair> pair_simplices(const Surface& surface, const SizedSide& inside,
-                                        const SizedSide& outside, const PairOptions& options = {});
+/// Compiled in pair.cpp for the complexes that are listed there.
+template <PairComplex C, Sizes S>
+std::vector<SurfacePair> pair_simplices(const Surface& surface, const SizedSide<C, S>& inside,
+                                        const SizedSide<C, S>& outside,
+                                        const PairOptions& options = {});
 
 /// Triangles of K off M on one side: each piece of a face counts as the fan that it is cut into.
-std::uint64_t fan_triangle_count(const GridComplex& complex);
+template <PairComplex C>
+std::uint64_t fan_triangle_count(const C& complex);
 
 }  // namespace isoloop

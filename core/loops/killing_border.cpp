@@ -6,10 +6,12 @@
 #include <utility>
 
 #include "core/base/errors.h"
+#include "core/complex/grid_complex.h"
 
 namespace isoloop {
 
-KillingBorders killing_borders(const GridComplex& complex, const DualPass& pass) {
+template <MeetsSurface C>
+KillingBorders killing_borders(const C& complex, const DualPass& pass) {
   KillingBorders borders;
   borders.first.resize(pass.killing.size() + 1);
   const auto visit_all = [&](const auto& visit) {
@@ -27,6 +29,8 @@ KillingBorders killing_borders(const GridComplex& complex, const DualPass& pass)
   });
   return borders;
 }
+
+template KillingBorders killing_borders(const GridComplex&, const DualPass&);
 
 Z2Basis border_classes(const Surface& surface, const SurfaceClasses& classes, Side side,
                        const KillingBorders& borders) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/disjoint_sets.h"
+#include "core/complex/grid_complex.h"
 #include "core/repair/vertex_cut.h"
 
 namespace isoloop {
@@ -18,7 +19,8 @@ constexpr std::size_t most_turns = 3;  // groups of parts that are tried either 
 }  // namespace
 
 /// The ends of the loop's grid edges on this side, or on the other.
-std::vector<std::uint32_t> MembraneFinder::Search::ends(bool on_this_side) const {
+template <HoldsVoxels C>
+std::vector<std::uint32_t> MembraneFinder<C>::Search::ends(bool on_this_side) const {
   std::vector<std::uint32_t> vertices;
   for (const std::uint32_t edge : query.edges) {
     const std::uint32_t low = edge / 3;
@@ -32,7 +34,8 @@ std::vector<std::uint32_t> MembraneFinder::Search::ends(bool on_this_side) const
 }
 
 /// Whether all walks through `vertex` within N would stay even.
-bool MembraneFinder::Search::may_be_near(std::uint32_t vertex) {
+template <HoldsVoxels C>
+bool MembraneFinder<C>::Search::may_be_near(std::uint32_t vertex) {
   if (finder.is_on_border(vertex)) return false;
   std::array<std::pair<Parities::Place, bool>, 8> met{};
   std::size_t count = 0;
@@ -49,7 +52,8 @@ bool MembraneFinder::Search::may_be_near(std::uint32_t vertex) {
   return even;
 }
 
-void MembraneFinder::Search::take(std::uint32_t vertex) {
+template <HoldsVoxels C>
+void MembraneFinder<C>::Search::take(std::uint32_t vertex) {
   const std::uint32_t node = node_of(vertex, true);
   nodes[node].is_near = true;
   near.push_back(vertex);
@@ -61,7 +65,8 @@ void MembraneFinder::Search::take(std::uint32_t vertex) {
 }
 
 /// N, and where it meets the rest; false if there is none.
-bool MembraneFinder::Search::collect_near() {
+template <HoldsVoxels C>
+bool MembraneFinder<C>::Search::collect_near() {
   std::vector<std::uint32_t> front;
   std::vector<std::uint32_t> next;
   std::vector<std::uint32_t> left_out;
@@ -99,7 +104,8 @@ bool MembraneFinder::Search::collect_near() {
 }
 
 /// Joins `vertex` to the cells of the rest round it; false if that closes an odd walk.
-bool MembraneFinder::Search::expand(std::uint32_t vertex, std::vector<std::uint32_t>& next) {
+template <HoldsVoxels C>
+bool MembraneFinder<C>::Search::expand(std::uint32_t vertex, std::vector<std::uint32_t>& next) {
   const std::uint32_t node = node_of(vertex, true);
   bool even = true;
   for_each_cell(vertex, [&](const Incidence& at) {
@@ -124,7 +130,8 @@ bool MembraneFinder::Search::expand(std::uint32_t vertex, std::vector<std::uint3
 
 /// Potentials on the rest, as far as it takes to join all its parts that meet N; false if the rest
 /// has an odd walk, or meets N from one side only.
-bool MembraneFinder::Search::explore_rest() {
+template <HoldsVoxels C>
+bool MembraneFinder<C>::Search::explore_rest() {
   std::vector<std::uint32_t> front;
   for (const Meeting& meeting : meetings)
     if (finder.node_of_vertex_[meeting.vertex] == none) {
@@ -171,13 +178,15 @@ bool MembraneFinder::Search::explore_rest() {
 }
 
 /// On which of the two sides of its part of the rest the cell lies.
-bool MembraneFinder::Search::is_second(const Meeting& meeting) {
+template <HoldsVoxels C>
+bool MembraneFinder<C>::Search::is_second(const Meeting& meeting) {
   return parities.find(finder.node_of_vertex_[meeting.vertex]).odd ^
          parities.find(finder.node_of_cell_[meeting.cell]).odd ^ meeting.odd;
 }
 
 /// Its place in `parts`, or their count if it meets N from one side only.
-std::uint32_t MembraneFinder::Search::part_at(const Meeting& meeting) {
+template <HoldsVoxels C>
+std::uint32_t MembraneFinder<C>::Search::part_at(const Meeting& meeting) {
   const std::uint32_t root = parities.find(finder.node_of_vertex_[meeting.vertex]).root;
   const auto at =
       std::lower_bound(parts.begin(), parts.end(), root,
@@ -190,7 +199,8 @@ std::uint32_t MembraneFinder::Search::part_at(const Meeting& meeting) {
 /// round to itself hundreds of vertices are parts of their own, all along one seam. Two parts
 /// beside one cell match if the cell is on the first side of both; those that share most cells are
 /// matched first.
-void MembraneFinder::Search::group_parts() {
+template <HoldsVoxels C>
+void MembraneFinder<C>::Search::group_parts() {
   struct Sight {  // of a cell from a part
     std::uint32_t cell;
     std::uint32_t part;
@@ -232,7 +242,8 @@ void MembraneFinder::Search::group_parts() {
 
 /// Connected parts of the other side beside N that do not touch the loop: for each the vertices of
 /// N that share a cube with it.
-std::vector<std::vector<std::uint32_t>> MembraneFinder::Search::islands() const {
+template <HoldsVoxels C>
+std::vector<std::vector<std::uint32_t>> MembraneFinder<C>::Search::islands() const {
   const Lattice& lattice = finder.sides_.lattice;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> beside;  // other side's vertex, of N
   for (const std::uint32_t vertex : near) {
@@ -271,8 +282,9 @@ std::vector<std::vector<std::uint32_t>> MembraneFinder::Search::islands() const 
 }
 
 /// `turned`: bit i swaps the sides of group i + 1 of the rest's parts.
-std::optional<std::vector<std::uint32_t>> MembraneFinder::Search::cut(unsigned turned,
-                                                                      bool from_far_side) {
+template <HoldsVoxels C>
+std::optional<std::vector<std::uint32_t>> MembraneFinder<C>::Search::cut(unsigned turned,
+                                                                         bool from_far_side) {
   CutNetwork network;
   std::vector<std::uint32_t> vertex_of(2, none);  // by node of the network
   std::vector<std::uint32_t> number(nodes.size(), none);
@@ -334,7 +346,8 @@ std::optional<std::vector<std::uint32_t>> MembraneFinder::Search::cut(unsigned t
   return vertices;
 }
 
-std::optional<std::vector<std::uint32_t>> MembraneFinder::Search::best_cut(bool from_far_side) {
+template <HoldsVoxels C>
+std::optional<std::vector<std::uint32_t>> MembraneFinder<C>::Search::best_cut(bool from_far_side) {
   const std::size_t turns = std::min(groups.size() - 1, most_turns);
   std::optional<std::vector<std::uint32_t>> best;
   for (unsigned turned = 0; turned < 1U << turns; ++turned) {
@@ -343,5 +356,7 @@ std::optional<std::vector<std::uint32_t>> MembraneFinder::Search::best_cut(bool 
   }
   return best;
 }
+
+template struct MembraneFinder<GridComplex>::Search;
 
 }  // namespace isoloop

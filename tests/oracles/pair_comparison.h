@@ -25,8 +25,9 @@ inline std::vector<std::uint32_t> killing_pieces(const DualPass& pass) {
 }
 
 inline std::vector<SurfacePair> pairs_of(const Prepared& prepared, Refinement refinement) {
-  return pair_simplices(prepared.surface, {*prepared.inside, prepared.sizes_on(Side::inside)},
-                        {*prepared.outside, prepared.sizes_on(Side::outside)}, {refinement});
+  return pair_simplices(
+      prepared.surface, SizedSide{*prepared.inside, prepared.sizes_on(Side::inside)},
+      SizedSide{*prepared.outside, prepared.sizes_on(Side::outside)}, {refinement});
 }
 
 /// What differs between the killing pieces of PAIR and those of the dual pass, under the order by

@@ -52,8 +52,7 @@ std::vector<Entry> entries_of(const GridComplex& complex, const GridSizes& sizes
                               const ExplicitComplex& slow) {
   const std::map<FaceKey, int> faces = faces_off_surface(slow, complex.side());
   std::map<std::uint32_t, std::uint32_t> cube_of_wall;
-  for (const GridComplex::Beyond& beyond : complex.beyond_walls())
-    cube_of_wall[beyond.piece] = beyond.cube;
+  for (const BeyondWall& beyond : complex.beyond_walls()) cube_of_wall[beyond.piece] = beyond.cube;
   std::vector<Entry> entries;
   for (const std::uint32_t piece : all_pieces(complex)) {
     const auto edges = complex.edges_of(piece);

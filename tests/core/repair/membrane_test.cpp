@@ -70,7 +70,7 @@ struct Ball {
     return 8.0 - std::hypot(x - 9.5, y - 9.5, z - 9.5);
   })};
   DualPass pass = prepared.pass_on(Side::inside);
-  MembraneFinder finder{prepared.sides, *prepared.inside, pass};
+  MembraneFinder<GridComplex> finder{prepared.sides, *prepared.inside, pass};
   std::vector<bool> fixed = std::vector<bool>(prepared.sides.lattice.vertex_count());
   std::vector<bool> gone = fixed;
 
