@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/complex/flat_complex.h"
 #include "core/complex/grid_complex.h"
 #include "core/complex/grid_sizes.h"
 #include "core/complex/order.h"
@@ -187,6 +188,9 @@ bool labels_are_consistent(const C& complex, const DualPass& pass) {
 }
 
 template DualPass dual_pass(const GridComplex&, const GridSizes&);
+template DualPass dual_pass(const GridComplex&, const FlatSizes&);
+template DualPass dual_pass(const FlatComplex&, const FlatSizes&);
 template bool labels_are_consistent(const GridComplex&, const DualPass&);
+template bool labels_are_consistent(const FlatComplex&, const DualPass&);
 
 }  // namespace isoloop

@@ -15,6 +15,7 @@
 #include "core/base/disjoint_sets.h"
 #include "core/base/errors.h"
 #include "core/base/run_both.h"
+#include "core/complex/flat_complex.h"
 #include "core/complex/grid_complex.h"
 #include "core/complex/grid_sizes.h"
 #include "core/complex/order.h"
@@ -375,6 +376,15 @@ template std::vector<SurfacePair> pair_simplices(const Surface&,
                                                  const SizedSide<GridComplex, GridSizes>&,
                                                  const SizedSide<GridComplex, GridSizes>&,
                                                  const PairOptions&);
+template std::vector<SurfacePair> pair_simplices(const Surface&,
+                                                 const SizedSide<FlatComplex, FlatSizes>&,
+                                                 const SizedSide<FlatComplex, FlatSizes>&,
+                                                 const PairOptions&);
+template std::vector<SurfacePair> pair_simplices(const Surface&,
+                                                 const SizedSide<GridComplex, FlatSizes>&,
+                                                 const SizedSide<GridComplex, FlatSizes>&,
+                                                 const PairOptions&);
 template std::uint64_t fan_triangle_count(const GridComplex&);
+template std::uint64_t fan_triangle_count(const FlatComplex&);
 
 }  // namespace isoloop

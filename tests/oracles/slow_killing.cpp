@@ -69,6 +69,30 @@ std::vector<Entry> entries_of(const GridComplex& complex, const GridSizes& sizes
 
 }  // namespace
 
+WrittenSide written_side(const Prepared& prepared, const ExplicitComplex& slow, Side side) {
+  const auto beyond = static_cast<std::uint32_t>(slow.solids.size());
+  std::map<int, std::vector<std::uint32_t>> cells;  // by face
+  for (std::uint32_t solid = 0; solid < beyond; ++solid)
+    for (const int face : slow.solids[solid].boundary) cells[face].push_back(solid);
+  std::vector<FlatPiece> flat;
+  FlatSizes sizes;
+  std::vector<SidedPiece> pieces;
+  for (const Entry& entry : entries_of(prepared.complex(side), prepared.sizes_on(side), slow)) {
+    FlatPiece& piece = flat.emplace_back();
+    // On the border of the box the other cell lies beyond. A wall has the same one on both sides,
+    // and which it is does not matter.
+    cells[entry.face].resize(2, beyond);
+    piece.cells = {cells[entry.face][0], cells[entry.face][1]};
+    for (const int edge : slow.faces[static_cast<std::size_t>(entry.face)].boundary)
+      if (slow.edges[static_cast<std::size_t>(edge)].place == place_of(side))
+        piece.edges.push_back(static_cast<std::uint32_t>(edge));
+    sizes.by_piece.push_back(entry.size);
+    pieces.push_back(entry.piece);
+  }
+  const auto edges = static_cast<std::uint32_t>(slow.edges.size());
+  return {FlatComplex(beyond + 1, edges, flat), std::move(sizes), std::move(pieces)};
+}
+
 std::vector<SidedPiece> slow_killing_pieces(const Prepared& prepared, const ExplicitComplex& slow,
                                             std::span<const Side> sides) {
   std::vector<Entry> entries;
