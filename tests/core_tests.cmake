@@ -37,6 +37,7 @@ isoloop_add_tests(isoloop_core_tests
     core/loops/pair_loops_test.cpp
     core/engines/pair_test.cpp
     core/base/per_thread_test.cpp
+    core/base/potentials_test.cpp
     core/scan/plateau_test.cpp
     core/repair/repair_test.cpp
     core/base/rows_test.cpp

@@ -44,7 +44,7 @@ bool MembraneFinder<C>::Search::may_be_near(std::uint32_t vertex) {
     const std::uint32_t node = finder.node_of_cell_[at.cell];
     if (node == none) return;
     const Parities::Place place = parities.find(node);
-    const bool odd = place.odd ^ at.odd;
+    const bool odd = (place.value ^ char{at.odd}) != 0;
     for (std::size_t i = 0; i < count; ++i)
       if (met[i].first.root == place.root && met[i].second != odd) even = false;
     met[count++] = {place, odd};
@@ -60,7 +60,7 @@ void MembraneFinder<C>::Search::take(std::uint32_t vertex) {
   for_each_cell(vertex, [&](const Incidence& at) {
     const std::uint32_t cell = node_of(at.cell, false);
     nodes[cell].is_near = true;
-    parities.unite(node, cell, at.odd);
+    parities.join(node, cell, char{at.odd});
   });
 }
 
@@ -111,7 +111,7 @@ bool MembraneFinder<C>::Search::expand(std::uint32_t vertex, std::vector<std::ui
   for_each_cell(vertex, [&](const Incidence& at) {
     if (is_near_cell(at.cell)) return;
     const bool is_new = finder.node_of_cell_[at.cell] == none;
-    even = parities.unite(node, node_of(at.cell, false), at.odd) && even;
+    even = parities.join(node, node_of(at.cell, false), char{at.odd}) == 0 && even;
     if (!is_new) return;
     const auto push = [&](std::uint32_t corner) {
       if (finder.node_of_vertex_[corner] != none) return;
@@ -146,8 +146,7 @@ bool MembraneFinder<C>::Search::explore_rest() {
     std::vector<std::pair<std::uint32_t, unsigned>> met;
     for (const Meeting& meeting : meetings) {
       const Parities::Place at = parities.find(finder.node_of_vertex_[meeting.vertex]);
-      const Parities::Place cell = parities.find(finder.node_of_cell_[meeting.cell]);
-      met.emplace_back(at.root, (at.odd ^ cell.odd ^ meeting.odd) ? 2U : 1U);
+      met.emplace_back(at.root, is_second(meeting) ? 2U : 1U);
     }
     std::sort(met.begin(), met.end());
     std::vector<std::pair<std::uint32_t, unsigned>> merged;
@@ -180,8 +179,8 @@ bool MembraneFinder<C>::Search::explore_rest() {
 /// On which of the two sides of its part of the rest the cell lies.
 template <HoldsVoxels C>
 bool MembraneFinder<C>::Search::is_second(const Meeting& meeting) {
-  return parities.find(finder.node_of_vertex_[meeting.vertex]).odd ^
-         parities.find(finder.node_of_cell_[meeting.cell]).odd ^ meeting.odd;
+  return (parities.find(finder.node_of_vertex_[meeting.vertex]).value ^
+          parities.find(finder.node_of_cell_[meeting.cell]).value ^ char{meeting.odd}) != 0;
 }
 
 /// Its place in `parts`, or their count if it meets N from one side only.
@@ -226,12 +225,12 @@ void MembraneFinder<C>::Search::group_parts() {
   Parities matched;
   for (std::size_t part = 0; part < parts.size(); ++part) matched.add();
   for (const auto& [pair, weight] : order)
-    if (weight != 0) matched.unite(pair[0], pair[1], weight < 0);
+    if (weight != 0) matched.join(pair[0], pair[1], char{weight < 0});
   std::map<std::uint32_t, std::size_t> sizes;  // by group: sights
   for (std::uint32_t part = 0; part < parts.size(); ++part) {
     const Parities::Place at = matched.find(part);
     parts[part].group = at.root;
-    parts[part].turned = at.odd;
+    parts[part].turned = at.value != 0;
   }
   for (const Sight& sight : sights) ++sizes[parts[sight.part].group];
   groups.clear();

@@ -4,13 +4,17 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
+#include "core/base/potentials.h"
 #include "core/repair/membrane.h"
-#include "core/repair/parities.h"
 
 namespace isoloop {
+
+/// Whether members differ by even or odd classes.
+using Parities = Potentials<char, std::bit_xor<>>;
 
 /// Its nodes are the vertices and cells that it meets.
 template <HoldsVoxels C>
