@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -12,46 +11,10 @@
 #include "core/complex/order.h"
 #include "core/engines/spanning_forest.h"
 #include "core/engines/zero_labels.h"
+#include "core/z2/z2_basis.h"
 
 namespace isoloop {
 namespace {
-
-/// Generators that a relation has expressed by older ones. Generators are numbered in order of
-/// birth, so the youngest of a set is its greatest.
-class Elimination {
- public:
-  GeneratorSet reduce(std::span<const std::uint32_t> set) const {
-    GeneratorSet reduced(set.begin(), set.end());
-    for (std::size_t i = reduced.size(); i-- > 0;) {
-      if (reduced[i] >= expressed_by_.size() || !expressed_by_[reduced[i]]) continue;
-      // The substitute holds older generators only: what lies above position i stays as it is.
-      const std::uint32_t youngest = reduced[i];
-      GeneratorSet substitute = *expressed_by_[youngest];
-      substitute.push_back(youngest);
-      reduced = sum_of(reduced, substitute);
-      i = static_cast<std::size_t>(std::lower_bound(reduced.begin(), reduced.end(), youngest) -
-                                   reduced.begin());
-    }
-    return reduced;
-  }
-
-  /// Imposes sum = 0.
-  void relate(std::span<const std::uint32_t> sum) {
-    GeneratorSet relation = reduce(sum);
-    if (relation.empty()) return;
-    const std::uint32_t youngest = relation.back();
-    relation.pop_back();
-    if (expressed_by_.size() <= youngest) expressed_by_.resize(youngest + 1);
-    expressed_by_[youngest] = std::move(relation);
-  }
-
-  bool is_eliminated(std::uint32_t generator) const {
-    return generator < expressed_by_.size() && expressed_by_[generator].has_value();
-  }
-
- private:
-  std::vector<std::optional<GeneratorSet>> expressed_by_;
-};
 
 /// Labels pieces; whenever all but one piece of a ring are labelled, the last one follows.
 template <Complex C>
@@ -89,13 +52,15 @@ class Propagation {
       if (unknown == 1)
         assign(last, sum);
       else if (unknown == 0 && sum != 0)
-        elimination.relate(pool.generators(sum));
+        relations.add(pool.generators(sum));
     }
   }
 
   LabelPool pool;
   SparseLabels labels;
-  Elimination elimination;
+  /// Generators are numbered in order of birth, so that each relation expresses its pivot, the
+  /// youngest of its own, by older ones.
+  Z2Basis relations;
 
  private:
   const C& complex_;
@@ -110,13 +75,13 @@ DualPass finish(const S& sizes, Propagation<C>& state, const std::vector<std::ui
   std::vector<std::uint32_t> number(born.size());
   for (std::size_t i = born.size(); i-- > 0;) {
     const auto generator = static_cast<std::uint32_t>(i);
-    if (state.elimination.is_eliminated(generator)) continue;
+    if (state.relations.is_pivot(generator)) continue;
     number[i] = static_cast<std::uint32_t>(pass.killing.size());
     pass.killing.push_back({born[i], sizes.of_piece(born[i])});
   }
   std::vector<std::uint32_t> final_label(state.pool.count());
   for (std::uint32_t label = 0; label < state.pool.count(); ++label) {
-    GeneratorSet set = state.elimination.reduce(state.pool.generators(label));
+    GeneratorSet set = state.relations.remainder(state.pool.generators(label));
     for (std::uint32_t& generator : set) generator = number[generator];
     std::reverse(set.begin(), set.end());  // the oldest kills last
     final_label[label] = pass.pool.intern(set);

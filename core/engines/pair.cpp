@@ -7,7 +7,6 @@
 #include <limits>
 #include <span>
 #include <string>
-#include <unordered_map>
 #include <utility>
 
 #include <boost/sort/spreadsort/integer_sort.hpp>
@@ -22,6 +21,7 @@
 #include "core/surface/surface_order.h"
 #include "core/z2/bit_column.h"
 #include "core/z2/label.h"
+#include "core/z2/z2_basis.h"
 
 namespace isoloop {
 namespace {
@@ -263,26 +263,6 @@ class CyclePairing {
   ReducedColumns columns_;
 };
 
-/// The edges that pair in the one filtration of both sides: the cycles that come later are reduced
-/// by all before them, whatever their side, so that no edge is taken twice.
-class EdgePairing {
- public:
-  std::uint32_t take(GeneratorSet rows) {
-    while (!rows.empty()) {
-      const auto taken = by_youngest_.find(rows.back());
-      if (taken == by_youngest_.end()) break;
-      rows = sum_of(rows, taken->second);
-    }
-    if (rows.empty()) throw SelfCheckFailed("a cycle that PAIR found bounds on both sides");
-    const std::uint32_t youngest = rows.back();
-    by_youngest_.emplace(youngest, std::move(rows));
-    return youngest;
-  }
-
- private:
-  std::unordered_map<std::uint32_t, GeneratorSet> by_youngest_;
-};
-
 using FirstCycles = std::array<std::vector<FirstCycle>, 2>;  // inside, outside
 
 template <PairComplex C, Sizes S>
@@ -346,12 +326,16 @@ std::vector<SurfacePair> pair_simplices(const Surface& surface, const SizedSide<
                                         const PairOptions& options) {
   const SurfaceOrder order = order_surface(surface);
   FirstCycles found = find_first_cycles(surface, order, inside, outside, options.refinement);
-  EdgePairing edges;
+  // The edges that pair in the one filtration of both sides: the cycles that come later are reduced
+  // by all before them, whatever their side, so that no edge is taken twice.
+  Z2Basis unpaired;
   std::vector<SurfacePair> pairs;
   for (const Killing& killing :
        reduce_cycles(surface, order, std::move(found), options.refinement)) {
     SurfacePair& pair = pairs.emplace_back();
-    pair.edge = order.edges[edges.take(killing.unpaired)];
+    const auto edge = unpaired.add(killing.unpaired);
+    if (!edge) throw SelfCheckFailed("a cycle that PAIR found bounds on both sides");
+    pair.edge = order.edges[*edge];
     pair.side = killing.side;
     pair.piece = killing.piece;
     pair.size = killing.size;
