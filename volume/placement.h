@@ -16,7 +16,7 @@ enum class NiftiTransform { automatic, sform, qform };
 
 /// What a caller may ask of any format that is not raw or OpenVDB.
 struct FormatOptions {
-  std::optional<std::int64_t> frame{};  // of a 4-D file, from 0; unset: the file must hold one
+  std::optional<std::int64_t> frame{};    // of a 4-D file, from 0; unset: the file must hold one
   std::optional<std::int64_t> channel{};  // of a TIFF file, from 0; unset: the file must hold one
   std::optional<Vec3> spacing{};  // length per voxel; replaces all that the file says of where
   std::string series{};           // of a folder of DICOM slices: (part of) its identifier
