@@ -9,6 +9,7 @@ isoloop_add_tests(isoloop_volume_tests
     volume_engine_block_test.cpp
     volume_file_kind_test.cpp
     volume_labels_test.cpp
+    volume_length_unit_test.cpp
     volume_memory_limit_test.cpp
     volume_mesh_test.cpp
     volume_mesh_untidy_test.cpp

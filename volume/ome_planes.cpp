@@ -190,6 +190,7 @@ void set_spacing(const XmlTag& pixels, TiffPlanes& planes) {
     if (stated[axis] > 0.0) continue;
     const std::size_t other = stated[in_its_place[axis]] > 0.0 ? in_its_place[axis] : 2;
     spacing[axis] = stated[other] > 0.0 ? stated[other] : stated[1];
+    if (axis == 2 && attribute(pixels, "SizeZ") == "1") continue;
     planes.warnings.emplace_back(std::string("it states no spacing along ") + names[axis] +
                                  ": that of another axis is taken; --spacing X Y Z says otherwise");
   }
