@@ -132,6 +132,7 @@ TEST_F(Dicom, OtherFilesAreNotTakenForSlicesWithoutTheirFirstBytes) {
   write_bytes(folder_ / "a.bin", numbers);
   write_bytes(folder_ / "b.bin", std::string(200, '\x8'));
   write_bytes(folder_ / "c.bin", std::string("\x8\0\0\0\0\0\0\0\x8\0\0\0", 12));
+  write_bytes(folder_ / "d.bin", std::string("\x8\0\1\0\0\0\0\0\x20\0\2\0", 12));
   EXPECT_FALSE(holds_dicom(folder_.path()));
 }
 
