@@ -1,7 +1,6 @@
 // Sizes without a surface: what an order may be at the worst.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <random>
 
@@ -10,7 +9,8 @@
 
 namespace isoloop::testing {
 
-/// Whole numbers below `levels` for edges, many of them equal where levels are few.
+/// Whole numbers below `levels`, many of them equal where levels are few. A piece may be smaller
+/// than its edges: which pieces kill depends on their own order alone.
 template <Complex C>
 FlatSizes random_sizes(const C& complex, std::uint32_t levels, std::mt19937& random) {
   FlatSizes sizes;
@@ -19,8 +19,7 @@ FlatSizes random_sizes(const C& complex, std::uint32_t levels, std::mt19937& ran
   for (const std::uint32_t edge : all_edges(complex))
     sizes.by_edge[edge] = static_cast<float>(random() % levels);
   for (const std::uint32_t piece : all_pieces(complex))
-    for (const std::uint32_t edge : complex.edges_of(piece))
-      sizes.by_piece[piece] = std::max(sizes.by_piece[piece], sizes.by_edge[edge]);
+    sizes.by_piece[piece] = static_cast<float>(random() % levels);
   return sizes;
 }
 
