@@ -83,6 +83,18 @@ std::map<std::string, std::set<std::string>> arrows() {
   return to;
 }
 
+TEST(Layers, CoreAndVolumeNameNoFlag) {
+  // What a flag is called is for tools/words/sentence.cpp to say; others have options.
+  static const std::regex flag(R"re("[^"]*--[a-z][^"]*")re");
+  for (const std::string layer : {"core", "volume"})
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(ISOLOOP_SOURCE) / layer)) {
+      if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") continue;
+      std::ifstream file(entry.path());
+      for (std::string line; std::getline(file, line);)
+        EXPECT_FALSE(std::regex_search(line, flag)) << entry.path() << ": " << line;
+    }
+}
+
 TEST(Layers, NoIncludeRunsBackBetweenFolders) {
   std::map<std::string, std::set<std::string>> left = arrows();
   // Takes away folders that see none of those left, until all are gone.

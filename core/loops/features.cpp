@@ -324,8 +324,10 @@ std::vector<Feature> features_of(const Surface& surface, const std::vector<Loop>
     features[i].vertices.shrink_to_fit();
     kept += sizeof(std::uint32_t) * features[i].vertices.size();
     if (kept <= room) return;
-    throw LimitExceeded("the vertices of the features outgrow " + bytes_text(room) +
-                        ", which is what the limit leaves; raise --max-memory or crop the volume");
+    throw LimitExceeded({.text = "the vertices of the features outgrow " + bytes_text(room) +
+                                 ", which is what the limit leaves",
+                         .advice = {Advice::raise_memory_limit, Advice::take_part}},
+                        {.unit = Excess::Unit::bytes, .limit = room, .stage = "features"});
   };
   with_threads(searches, [&] {
     PerThread<Sweep> sweeps;

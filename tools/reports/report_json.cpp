@@ -11,6 +11,7 @@
 #include "tools/reports/report_features.h"
 #include "tools/reports/report_table.h"
 #include "tools/runs/mesh_comparison.h"
+#include "tools/words/sentence.h"
 
 namespace isoloop {
 namespace {
@@ -57,7 +58,7 @@ Json input_of(const RunResult& run) {
           {"maximum", run.range.max},
           {"nan_as", run.nan_as ? Json(*run.nan_as) : Json()},
           {"notes", notes_of(run)},
-          {"warnings", volume.warnings}};
+          {"warnings", sentences_of(volume.warnings)}};
 }
 
 const char* inside_rule_text(const IsoLevel& level) {

@@ -12,6 +12,7 @@
 #include "tools/reports/report_json.h"
 #include "tools/reports/report_table.h"
 #include "tools/words/number_text.h"
+#include "tools/words/sentence.h"
 #include "volume/base/memory_limit.h"
 
 namespace isoloop {
@@ -129,7 +130,7 @@ void write_repair_json(std::ostream& out, const RepairRun& result) {
         {"type", type_name(run.volume.values)},
         {"spacing", run.volume.spacing},
         {"mesh", mesh_json(run, repair.before)},
-        {"warnings", run.volume.warnings}}},
+        {"warnings", sentences_of(run.volume.warnings)}}},
       {"iso", run.level.iso},
       {"conventions",
        {{"inside", inside_text(run.level)},

@@ -10,6 +10,7 @@
 #include "tools/reports/report_json.h"
 #include "tools/reports/report_table.h"
 #include "tools/words/number_text.h"
+#include "tools/words/sentence.h"
 #include "tools/words/text_rows.h"
 #include "volume/base/memory_limit.h"
 
@@ -129,7 +130,7 @@ void write_scan_json(std::ostream& out, const RunResult& run) {
                       {"minimum", run.range.min},
                       {"maximum", run.range.max},
                       {"notes", notes_of(run)},
-                      {"warnings", run.volume.warnings}};
+                      {"warnings", sentences_of(run.volume.warnings)}};
   const Json conventions = {
       {"inside_rule", run.level.inside == InsideRule::above ? "above" : "below"},
       {"topology", topology_text(run.level.topology)}};

@@ -9,6 +9,7 @@
 
 #include "tools/runs/mesh_comparison.h"
 #include "tools/words/number_text.h"
+#include "tools/words/sentence.h"
 #include "tools/words/text_rows.h"
 #include "volume/base/memory_limit.h"
 
@@ -75,7 +76,8 @@ void write_mesh(std::ostream& out, const RunResult& run) {
   if (const std::optional<bool> agree = voxels_agree(run, run.analysis))
     out << (*agree ? ": the voxels have the same" : ": the voxels have others");
   out << '\n';
-  for (const std::string& note : run.volume.notes) out << "note        " << note << '\n';
+  for (const std::string& note : sentences_of(run.volume.notes))
+    out << "note        " << note << '\n';
 }
 
 void write_counts(std::ostream& out, const RunResult& run) {

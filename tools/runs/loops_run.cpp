@@ -8,6 +8,7 @@
 #include "tools/flags/thread_flag.h"
 #include "tools/runs/read_run.h"
 #include "tools/runs/scan_run.h"
+#include "tools/words/sentence.h"
 
 namespace isoloop {
 namespace {
@@ -45,7 +46,8 @@ RunResult found_run(const LoopsInput& input, const Progress& progress) {
       });
     } catch (const LimitExceeded& error) {
       if (!input.features_may_lack) throw;
-      std::cerr << "isoloop: warning: features are left out: " << error.what() << '\n';
+      std::cerr << "isoloop: warning: features are left out: " << sentence_of(error.finding)
+                << '\n';
     }
   }
   if (input.with_scan && boundary == Boundary::closed && !run.level.upper) {

@@ -51,7 +51,7 @@ std::string difference_text(const RunResult& run, const Analysis& analysis) {
 void compare_with_mesh(RunResult& run, const Analysis& analysis) {
   const std::string difference = difference_text(run, analysis);
   if (difference.empty()) return;
-  run.volume.warnings.push_back(difference);
+  run.volume.warnings.push_back({.text = difference});
   std::cerr << "isoloop: warning: " << difference << '\n';
 }
 

@@ -7,13 +7,14 @@
 #include "core/base/stage.h"
 #include "tools/flags/flag_kinds.h"
 #include "tools/runs/memory_cap.h"
+#include "tools/words/sentence.h"
 #include "tools/words/value_hints.h"
 #include "volume/base/memory_limit.h"
 
 namespace isoloop {
 
 void print_warnings(std::ostream& out, const Volume& volume) {
-  for (const std::string& warning : volume.warnings) {
+  for (const std::string& warning : sentences_of(volume.warnings)) {
     out << "isoloop: warning: " << warning << '\n';
   }
 }

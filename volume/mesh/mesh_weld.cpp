@@ -145,12 +145,13 @@ Mesh weld_borders(Mesh mesh, const std::string& what) {
     mesh.triangles = std::move(before);
     return mesh;
   }
-  mesh.warnings.push_back(what + ": " + std::to_string(joined) +
-                          " corners at open edges lie within " + text(tolerance) +
-                          " of another, a millionth of the mesh's diagonal, and were taken to be "
-                          "one with it; that closes " +
-                          std::to_string(open_edges - left) + " of " + std::to_string(open_edges) +
-                          " open edges");
+  mesh.warnings.push_back(
+      {.file = what,
+       .text = std::to_string(joined) + " corners at open edges lie within " + text(tolerance) +
+               " of another, a millionth of the mesh's diagonal, and were taken to be "
+               "one with it; that closes " +
+               std::to_string(open_edges - left) + " of " + std::to_string(open_edges) +
+               " open edges"});
   return mesh;
 }
 

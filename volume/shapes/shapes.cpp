@@ -227,17 +227,21 @@ const Recipe& recipe_for(std::string_view name) {
   for (const Recipe& recipe : recipes) {
     names += (names.empty() ? "" : ", ") + std::string(recipe.name);
   }
-  throw InvalidArgument("no shape is called '" + std::string(name) + "'; the shapes are " + names);
+  throw InvalidArgument(
+      {.text = "no shape is called '" + std::string(name) + "'; the shapes are " + names},
+      Option::shape);
 }
 
 std::int64_t minimum_size(const Recipe& recipe, const ShapeOptions& options) {
   if (options.holes < 0 || options.holes > most_holes) {
-    throw InvalidArgument("holes must be 0 to " + std::to_string(most_holes) + ", not " +
-                          std::to_string(options.holes));
+    throw InvalidArgument({.text = "holes must be 0 to " + std::to_string(most_holes) + ", not " +
+                                   std::to_string(options.holes)},
+                          Option::shape);
   }
   if (options.cells < 1 || options.cells > most_cells) {
-    throw InvalidArgument("cells must be 1 to " + std::to_string(most_cells) + ", not " +
-                          std::to_string(options.cells));
+    throw InvalidArgument({.text = "cells must be 1 to " + std::to_string(most_cells) + ", not " +
+                                   std::to_string(options.cells)},
+                          Option::shape);
   }
   const double extent = recipe.least_extent(options);
   return std::max<std::int64_t>(16, shape_dims({extent, extent, extent})[0]);
@@ -260,9 +264,11 @@ Shape make_shape(std::string_view name, const ShapeOptions& options) {
   const Recipe& recipe = recipe_for(name);
   const std::int64_t least = minimum_size(recipe, options);
   if (options.size < least) {
-    throw InvalidArgument(std::string(name) + ": size " + std::to_string(options.size) +
-                          " is too small to resolve it; take " + std::to_string(least) +
-                          " or more");
+    throw InvalidArgument(
+        {.file = std::string(name),
+         .text = "size " + std::to_string(options.size) + " is too small to resolve it; take " +
+                 std::to_string(least) + " or more"},
+        Option::shape);
   }
   check_voxel_memory({options.size, 1, 1}, sizeof(float), options.max_bytes, std::string(name));
   return recipe.make(shape_extent(options.size), options);

@@ -102,10 +102,13 @@ std::string examples_of(const Census& census) {
 
 void check_strays(const Census& census, std::size_t voxels, const std::string& what) {
   if (census.strays <= static_cast<std::int64_t>(voxels) / voxels_for_each_stray) return;
-  throw InvalidArgument(what + ": is no label map for --label: " + std::to_string(census.strays) +
-                        " of " + std::to_string(voxels) + " voxels " + examples_of(census) +
-                        "; take an iso value in their place, or resample the labels without "
-                        "interpolation");
+  throw InvalidArgument(
+      {.file = what,
+       .text = "is no label map: " + std::to_string(census.strays) + " of " +
+               std::to_string(voxels) + " voxels " + examples_of(census) +
+               "; take an iso value in their place, or resample the labels without "
+               "interpolation"},
+      Option::labels);
 }
 
 void report(const Census& census, const std::vector<std::int64_t>& labels, const std::string& what,
@@ -115,21 +118,26 @@ void report(const Census& census, const std::vector<std::int64_t>& labels, const
     if (!found) missing.push_back(label);
   }
   if (missing.size() == census.wanted.size()) {
-    throw InvalidArgument(what + ": no voxel has the label " + list_of(labels) +
-                          " (--label); the lowest labels in it are " +
-                          list_of({census.lowest.begin(), census.lowest.end()}));
+    throw InvalidArgument(
+        {.file = what,
+         .text = "no voxel has the label " + list_of(labels) + "; the lowest labels in it are " +
+                 list_of({census.lowest.begin(), census.lowest.end()})},
+        Option::labels);
   }
-  if (!missing.empty()) volume.warnings.push_back("no voxel has the label " + list_of(missing));
+  if (!missing.empty())
+    volume.warnings.push_back({.text = "no voxel has the label " + list_of(missing)});
   if (census.strays > 0) {
-    volume.warnings.push_back("values that " + examples_of(census) +
-                              ", are no labels: voxels that are outside for that reason: " +
-                              std::to_string(census.strays));
+    volume.warnings.push_back(
+        {.text = "values that " + examples_of(census) +
+                 ", are no labels: voxels that are outside for that reason: " +
+                 std::to_string(census.strays)});
   }
-  volume.notes.push_back("a mask: 1 where the label is " + list_of(labels) + ", else 0");
+  volume.notes.push_back({.text = "a mask: 1 where the label is " + list_of(labels) + ", else 0"});
   if (census.taken_near > 0) {
-    volume.notes.push_back(std::to_string(census.taken_near) +
-                           " voxels of these labels are no whole numbers: the nearest is taken, " +
-                           text(census.largest_distance) + " off at most");
+    volume.notes.push_back(
+        {.text = std::to_string(census.taken_near) +
+                 " voxels of these labels are no whole numbers: the nearest is taken, " +
+                 text(census.largest_distance) + " off at most"});
   }
 }
 

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/base/finding.h"
 #include "core/grid/grid.h"
 #include "volume/mesh_topology/mesh_counts.h"
 
@@ -57,8 +58,8 @@ struct Volume {
   std::optional<StoredAt> stored_at{};  // unset where the file holds the voxels in another way
   std::optional<VolumePart> part{};     // unset: all voxels of the file
   std::optional<MeshCounts> mesh{};     // of the mesh that was voxelised; unset: it was none
-  std::vector<std::string> notes{};     // what was read how; a sentence each
-  std::vector<std::string> warnings{};  // what a user should look at; a sentence each
+  std::vector<Finding> notes{};         // what was read how; a sentence each
+  std::vector<Finding> warnings{};      // what a user should look at; a sentence each
 };
 
 /// The voxels as core/ sees them. Valid while `volume` lives and keeps its values.
