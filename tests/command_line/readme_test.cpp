@@ -16,6 +16,7 @@
 #include "tests/samples/real_data.h"
 #include "tests/samples/run_process.h"
 #include "tests/samples/scratch_directory.h"
+#include "volume/base/file_kind.h"
 
 namespace isoloop {
 namespace {
@@ -151,6 +152,23 @@ TEST(Readme, ExplainsEveryFlagAndNoOther) {
   std::set<std::string> explained = flags_in(readme());
   for (const char* flag : {"--preset", "--target", "--build", "--parallel"}) explained.erase(flag);
   EXPECT_EQ(explained, known);
+}
+
+TEST(Readme, AndTheHelpNameEveryExtensionOfTheTableOfFormats) {
+  const ScratchDirectory scratch;
+  const std::string text = readme();
+  const std::string read_help = run_isoloop(scratch.path(), {"info", "-h"}).out;
+  const std::string write_help = run_isoloop(scratch.path(), {"generate", "-h"}).out +
+                                 run_isoloop(scratch.path(), {"loops", "-h"}).out;
+  for (const FileFormat& format : file_formats()) {
+    for (const std::string_view extension : format.extensions) {
+      if (extension.empty()) continue;
+      EXPECT_NE(text.find("`" + std::string(extension) + "`"), std::string::npos) << extension;
+      EXPECT_NE(read_help.find(extension), std::string::npos) << extension;
+    }
+    if (format.written == Written::no) continue;
+    EXPECT_NE(write_help.find(format.extensions[0]), std::string::npos) << format.name;
+  }
 }
 
 void collect_keys(const Json& json, std::set<std::string>& keys) {

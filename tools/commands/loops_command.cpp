@@ -86,7 +86,8 @@ void add_labels(OutputFiles& outputs, const std::string& name) {
     throw InvalidArgument("--labels " + name + ": volumes are written as " + written_extensions());
   }
   // OpenVDB takes floats, all of them and in its tree.
-  const std::uint64_t writer_bytes_per_voxel = file_kind(name) == FileKind::vdb ? 8 : 0;
+  const bool as_floats = file_format(name)->written == Written::as_floats;
+  const std::uint64_t writer_bytes_per_voxel = as_floats ? 8 : 0;
   outputs.add("--labels", name, [=](std::ostream& out, const RunResult& run) {
     write_volume(out, label_volume(run, writer_bytes_per_voxel), name);
   });

@@ -22,7 +22,6 @@
 #include "tools/words/progress.h"
 #include "volume/base/atomic_file.h"
 #include "volume/base/file_kind.h"
-#include "volume/base/header_text.h"
 #include "volume/files/patch.h"
 #include "volume/files/write.h"
 #include "volume/formats/raw.h"
@@ -40,12 +39,6 @@ struct CommandFlags {
   int threads = 0;  // 0: one for each core
   ProgressFlags progress;
 };
-
-/// ".raw", ".nii.gz", in lower case.
-std::string extension_of(const std::filesystem::path& path) {
-  const std::string last = lower_case(path.extension().string());
-  return last == ".gz" ? lower_case(path.stem().extension().string()) + last : last;
-}
 
 /// Whether the file can be copied with the changed voxels in their places. An .img file is none
 /// without its header.
@@ -71,14 +64,14 @@ void check_mask_file(const CommandFlags& flags, const Volume& volume) {
 
 /// The output has the input's format, so that it keeps its type and geometry.
 void check_format(const CommandFlags& flags, const Volume& volume) {
-  const auto kind = file_kind(flags.volume.file);
+  const FileFormat* const format = file_format(flags.volume.file);
   if (extension_of(flags.output) != extension_of(flags.volume.file)) {
     throw InvalidArgument("--output " + flags.output + " must be a file of the same format as " +
                           flags.volume.file);
   }
   if (can_be_patched(flags, volume)) return;
   if (volume.mask && is_written(flags.output)) return check_mask_file(flags, volume);
-  if (kind != FileKind::vdb) {
+  if (format == nullptr || format->written != Written::as_floats) {
     throw InvalidArgument(
         flags.volume.file +
         ": volumes are repaired in this format only if one file holds header and voxels, one after "

@@ -57,25 +57,28 @@ Volume read_folder(const std::filesystem::path& path, const ReadOptions& options
       Fault::unsupported);
 }
 
+Volume read_mesh_file(const std::filesystem::path& path, const ReadOptions& options) {
+  const VoxelLimits limits = limits_of(options);
+  if (options.crop) {
+    throw InvalidArgument({.file = path.string(),
+                           .about = Option::crop,
+                           .text = "is for volumes; a mesh is read whole"});
+  }
+  const Mesh mesh = read_mesh(path, options.max_bytes);
+  if (options.voxel_size.automatic) {
+    return voxelize_until_counts_agree(mesh, options.voxel_size, limits, path.string());
+  }
+  return voxelize(mesh, options.voxel_size, limits, path.string());
+}
+
 Volume read_by_kind(const std::filesystem::path& path, const ReadOptions& options) {
   const VoxelLimits limits = limits_of(options);
-  if (is_mesh(path)) {
-    if (options.crop) {
-      throw InvalidArgument({.file = path.string(),
-                             .about = Option::crop,
-                             .text = "is for volumes; a mesh is read whole"});
-    }
-    const Mesh mesh = read_mesh(path, options.max_bytes);
-    if (options.voxel_size.automatic) {
-      return voxelize_until_counts_agree(mesh, options.voxel_size, limits, path.string());
-    }
-    return voxelize(mesh, options.voxel_size, limits, path.string());
-  }
+  if (is_mesh(path)) return read_mesh_file(path, options);
   const VoxelSize& size = options.voxel_size;
   if (size.length || size.resolution || size.automatic) {
     throw InvalidArgument({.file = path.string(),
                            .about = Option::voxel_size,
-                           .text = "is for meshes (.stl, .ply, .obj, .off)"});
+                           .text = "is for meshes: " + mesh_extensions()});
   }
   const std::optional<FileKind> kind = file_kind(path);
   if (!kind) {
@@ -87,7 +90,7 @@ Volume read_by_kind(const std::filesystem::path& path, const ReadOptions& option
     }
     throw InvalidInput({.file = path.string(),
                         .text = "unknown kind of file; isoloop reads " + supported_extensions() +
-                                ", and meshes: .stl, .ply, .obj and .off"},
+                                ", and meshes: " + mesh_extensions()},
                        Fault::unsupported);
   }
   switch (*kind) {
@@ -112,6 +115,11 @@ Volume read_by_kind(const std::filesystem::path& path, const ReadOptions& option
       return read_npy(path, options.format, limits);
     case FileKind::vti:
       return read_vti(path, options.format, limits);
+    case FileKind::stl:
+    case FileKind::ply:
+    case FileKind::obj:
+    case FileKind::off:
+      break;  // read_mesh_file() has them
   }
   throw InvalidInput({.file = path.string(), .text = "unknown kind of file"});
 }

@@ -8,6 +8,7 @@
 
 #include "core/base/errors.h"
 #include "core/base/memory_budget.h"
+#include "volume/base/file_kind.h"
 #include "volume/base/memory_limit.h"
 #include "volume/mesh/mesh_closure.h"
 #include "volume/mesh/mesh_edges.h"
@@ -41,15 +42,18 @@ void check_join_memory(std::uint64_t triangles, std::uint64_t points, std::uint6
 }
 
 std::optional<MeshKind> mesh_kind(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  if (extension == ".stl") return MeshKind::stl;
-  if (extension == ".ply") return MeshKind::ply;
-  if (extension == ".obj") return MeshKind::obj;
-  if (extension == ".off") return MeshKind::off;
-  return std::nullopt;
+  switch (file_kind(path).value_or(FileKind::raw)) {
+    case FileKind::stl:
+      return MeshKind::stl;
+    case FileKind::ply:
+      return MeshKind::ply;
+    case FileKind::obj:
+      return MeshKind::obj;
+    case FileKind::off:
+      return MeshKind::off;
+    default:
+      return std::nullopt;
+  }
 }
 
 /// How many triangles a binary STL file of `size` bytes holds, if `file` is one.
@@ -146,7 +150,7 @@ Mesh read_mesh(const std::filesystem::path& path, std::uint64_t max_bytes) {
   const std::optional<MeshKind> kind = mesh_kind(path);
   if (!kind)
     throw InvalidArgument(
-        {.file = path.string(), .text = "meshes are .stl, .ply, .obj and .off files"});
+        {.file = path.string(), .text = "meshes are " + mesh_extensions() + " files"});
   return parse_mesh(read_file(path, *kind, max_bytes), *kind, path.string(), max_bytes);
 }
 

@@ -11,9 +11,9 @@ namespace isoloop {
 
 std::optional<FileKind> slice_kind(const std::filesystem::path& path) {
   if (path.filename().string().starts_with('.')) return std::nullopt;
-  const std::optional<FileKind> kind = file_kind(path);
-  if (kind == FileKind::tiff || kind == FileKind::png || kind == FileKind::bmp) return kind;
-  return std::nullopt;
+  const FileFormat* const format = file_format(path);
+  if (format == nullptr || !format->is_slice) return std::nullopt;
+  return format->kind;
 }
 
 SliceImage slice_image(const std::filesystem::path& path) {
