@@ -1,8 +1,6 @@
 #include "tools/commands/repair_command.h"
 
-#include <chrono>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <string>
 #include <variant>
@@ -18,6 +16,7 @@
 #include "tools/runs/mesh_comparison.h"
 #include "tools/runs/output_files.h"
 #include "tools/runs/read_run.h"
+#include "tools/runs/report_run.h"
 #include "tools/words/flag_checks.h"
 #include "tools/words/progress.h"
 #include "volume/base/atomic_file.h"
@@ -105,9 +104,7 @@ void write_repaired(const CommandFlags& flags, const Repair& repair, const Volum
   file.commit();
 }
 
-void repair(const CommandFlags& flags) {
-  const auto start = std::chrono::steady_clock::now();
-  const RepairRequest request = repair_request(flags.repair);
+void check_together(const CommandFlags& flags) {
   if (!flags.volume.crop.empty()) {
     throw InvalidArgument(
         "--crop does not go with repair, which writes the whole file with some voxels changed");
@@ -115,36 +112,44 @@ void repair(const CommandFlags& flags) {
   if (flags.output.empty() && !flags.dry_run) {
     throw InvalidArgument("give --output FILE for the repaired volume, or --dry-run");
   }
-  RepairRun result;
-  OutputFiles outputs(flags.volume.file);
-  if (!flags.dry_run) outputs.reserve("--output", flags.output);
-  outputs.add("--json", flags.json,
-              [&result](std::ostream& out, const RunResult&) { write_repair_json(out, result); });
-  ProgressLine progress(std::cerr, progress_options(flags.progress));
-  RunResult& run = result.run;
-  run = read_run(flags.volume, flags.level);
+}
+
+RepairResult repaired_run(const CommandFlags& flags, const RepairRequest& request,
+                          const Progress& progress) {
+  RepairResult run{read_run(flags.volume, flags.level)};
   if (!flags.dry_run) check_format(flags, run.volume);
-  result.repair = in_stage("repair", [&] {
+  run.repair = in_stage("repair", [&] {
     return repair_loops(view(run.volume), run.level, request,
                         {.boundary = boundary_of(flags.level),
-                         .progress = progress.callback(),
+                         .progress = progress,
                          .max_bytes = run.cost.max_bytes});
   });
-  check_counts(result.repair.after);
-  check_loops(result.repair.after);
-  run.cost.peak_bytes = peak_resident_bytes();
-  progress.clear();
-  compare_with_mesh(run, result.repair.before);
-  if (!flags.dry_run) {
-    apply(result.repair, run.volume);
-    result.output = flags.output;
-    write_repaired(flags, result.repair, run.volume);
-  }
-  run.cost.total_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  outputs.write(run);
-  if (!outputs.uses_stdout()) write_repair_table(std::cout, result);
-  finish_stdout();
+  check_counts(run.repair.after);
+  check_loops(run.repair.after);
+  return run;
+}
+
+/// Writes the repaired volume, unless the run is a dry one.
+void settle(const CommandFlags& flags, RepairResult& run) {
+  compare_with_mesh(run, run.repair.before);
+  if (flags.dry_run) return;
+  apply(run.repair, run.volume);
+  run.output = flags.output;
+  write_repaired(flags, run.repair, run.volume);
+}
+
+void repair(const CommandFlags& flags) {
+  const RepairRequest request = repair_request(flags.repair);
+  check_together(flags);
+  RepairResult run;
+  OutputFiles outputs(flags.volume.file);
+  if (!flags.dry_run) outputs.reserve("--output", flags.output);
+  outputs.add("--json", flags.json, report_of(run, write_repair_json));
+  run_and_report<RepairResult>(
+      flags.progress, outputs, run,
+      {.run = [&](const Progress& progress) { return repaired_run(flags, request, progress); },
+       .settle = [&](RepairResult& repaired) { settle(flags, repaired); },
+       .table = write_repair_table});
 }
 
 }  // namespace

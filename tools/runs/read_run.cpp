@@ -19,9 +19,9 @@ void print_warnings(std::ostream& out, const Volume& volume) {
   }
 }
 
-RunResult read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flags) {
+RunInput read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flags) {
   const auto start = std::chrono::steady_clock::now();
-  RunResult run;
+  RunInput run;
   run.file = volume_flags.file;
   run.nan_as = volume_flags.nan_as;
   check_flags_agree(volume_flags, level_flags);

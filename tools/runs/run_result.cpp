@@ -94,7 +94,7 @@ std::vector<Loop> select_loops(const std::vector<Loop>& loops, const LoopFilter&
   return selected;
 }
 
-std::vector<std::string> notes_of(const RunResult& run) {
+std::vector<std::string> notes_of(const RunInput& run) {
   std::vector<std::string> notes = sentences_of(run.volume.notes);
   if (!run.hint.empty()) notes.push_back(run.hint);
   return notes;
