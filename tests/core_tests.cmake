@@ -26,6 +26,7 @@ isoloop_add_tests(isoloop_core_tests
     core/z2/label_test.cpp
     core/grid/lattice_test.cpp
     core/grid/level_test.cpp
+    core/grid/vec3_test.cpp
     core/tighten/loop_matching_test.cpp
     core/loops/loop_search_test.cpp
     core/loops/loops_test.cpp

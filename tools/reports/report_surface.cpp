@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/errors.h"
+#include "core/grid/vec3.h"
 #include "tools/reports/report_mesh.h"
 #include "tools/reports/report_table.h"
 #include "tools/words/base64.h"
@@ -47,9 +48,8 @@ Point unit_normal(const Point& a, const Point& b, const Point& c) {
     u[i] = double{b[i]} - a[i];
     v[i] = double{c[i]} - a[i];
   }
-  const std::array<double, 3> n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                                u[0] * v[1] - u[1] * v[0]};
-  const double length = std::hypot(n[0], n[1], n[2]);
+  const Vec3 n = cross(u, v);
+  const double length = norm(n);
   if (!(length > 0)) return {};
   return {static_cast<float>(n[0] / length), static_cast<float>(n[1] / length),
           static_cast<float>(n[2] / length)};

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/errors.h"
+#include "core/grid/vec3.h"
 #include "volume/base/header_text.h"
 #include "volume/base/refuse.h"
 #include "volume/formats/dicom_elements.h"
@@ -27,8 +28,6 @@ std::string text(double number) {
   std::snprintf(digits.data(), digits.size(), "%.6g", number);
   return digits.data();
 }
-
-double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 using Paths = std::vector<std::filesystem::path>;
 
@@ -136,9 +135,7 @@ void check_alike(const Slices& slices) {
 }
 
 double height_of(const DicomSlice& slice) {
-  const auto& [u, v] = slice.axes;
-  const Vec3 normal{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                    u[0] * v[1] - u[1] * v[0]};
+  const Vec3 normal = cross(slice.axes[0], slice.axes[1]);
   return dot(*slice.position, normal);
 }
 
@@ -217,8 +214,7 @@ Placement placement_of(const Slices& slices) {
       placement.columns[axis][c] = first.axes[axis][c] * spacing[axis];
     }
   }
-  const auto& [u, v] = first.axes;
-  Vec3 step{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+  Vec3 step = cross(first.axes[0], first.axes[1]);
   for (std::size_t c = 0; c < 3; ++c) {
     const double steps = static_cast<double>(slices.size()) - 1.0;
     step[c] = slices.size() == 1 ? step[c] * spacing[2]

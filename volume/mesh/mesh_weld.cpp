@@ -31,10 +31,6 @@ std::vector<std::uint32_t> border_points(const Mesh& mesh) {
   return points;
 }
 
-double distance(const Vec3& a, const Vec3& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
 /// Points that are farther apart than the tolerance, so few to a cell, which is twice as wide.
 class Firsts {
  public:

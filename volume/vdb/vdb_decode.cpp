@@ -12,6 +12,7 @@
 #include <openvdb/openvdb.h>
 
 #include "core/base/errors.h"
+#include "core/grid/vec3.h"
 #include "volume/base/refuse.h"
 #include "volume/vdb/vdb_message.h"
 
@@ -124,9 +125,8 @@ void set_frame(Volume& volume, const openvdb::math::Transform& transform,
     volume.direction[axis] = {row[0] / length, row[1] / length, row[2] / length};
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Vec3& a = volume.direction[axis];
-    const Vec3& b = volume.direction[(axis + 1) % 3];
-    if (std::abs(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) > shear_tolerance) {
+    const double cosine = dot(volume.direction[axis], volume.direction[(axis + 1) % 3]);
+    if (std::abs(cosine) > shear_tolerance) {
       refuse_grid(grid,
                   "has a sheared transform: its axes are not at right angles; resample it to an "
                   "unsheared one first",

@@ -8,6 +8,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/grid/vec3.h"
+
 namespace isoloop {
 namespace {
 
@@ -111,9 +113,6 @@ Finding get_finding(std::istream& in) {
 void check_frame(const Volume& volume) {
   const auto finite = [](const Vec3& v) {
     return std::all_of(v.begin(), v.end(), [](double c) { return std::isfinite(c); });
-  };
-  const auto dot = [](const Vec3& a, const Vec3& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   };
   bool sound = finite(volume.origin) && finite(volume.spacing);
   for (std::size_t a = 0; a < 3; ++a) {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/base/errors.h"
+#include "core/grid/vec3.h"
 #include "volume/base/refuse.h"
 
 namespace isoloop {
@@ -25,8 +26,6 @@ double rounded_length(double length) {
   const double rounded = std::strtod(text(length).c_str(), nullptr);
   return std::abs(rounded - length) <= 1e-6 * length ? rounded : length;
 }
-
-double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// Throws, of a header that places no voxels.
 [[noreturn]] void refuse_placement(const std::string& what, const std::string& complaint) {
