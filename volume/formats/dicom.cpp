@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <set>
 #include <string>
@@ -14,6 +13,7 @@
 #include "core/grid/vec3.h"
 #include "volume/base/header_text.h"
 #include "volume/base/refuse.h"
+#include "volume/base/rounded_text.h"
 #include "volume/formats/dicom_elements.h"
 #include "volume/formats/dicom_slice.h"
 #include "volume/voxels/stored_voxels.h"
@@ -22,12 +22,6 @@ namespace isoloop {
 namespace {
 
 using Slices = std::vector<DicomSlice>;
-
-std::string text(double number) {
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.6g", number);
-  return digits.data();
-}
 
 using Paths = std::vector<std::filesystem::path>;
 
@@ -186,8 +180,9 @@ void check_gaps(const Slices& slices, bool spacing_given, Volume& volume) {
   for (std::size_t i = 0; i < gaps.size(); ++i) {
     if (gaps[i] > usual / 1.5 && gaps[i] < 1.5 * usual) continue;
     const std::string file = slices[i + 1].path.string();
-    const std::string complaint = "lies " + text(gaps[i]) + " from " + slices[i].path.string() +
-                                  ", other slices lie " + text(usual) +
+    const std::string complaint = "lies " + rounded_text(gaps[i]) + " from " +
+                                  slices[i].path.string() + ", other slices lie " +
+                                  rounded_text(usual) +
                                   " apart: a slice is missing, or one does not belong";
     if (!spacing_given) {
       refuse(file, complaint + "; a stated spacing has them read as evenly spaced", Fault::damaged,
@@ -198,8 +193,8 @@ void check_gaps(const Slices& slices, bool spacing_given, Volume& volume) {
     return;
   }
   if (sorted.back() - sorted.front() <= 0.01 * usual) return;
-  volume.warnings.push_back({.text = "slices lie " + text(sorted.front()) + " to " +
-                                     text(sorted.back()) +
+  volume.warnings.push_back({.text = "slices lie " + rounded_text(sorted.front()) + " to " +
+                                     rounded_text(sorted.back()) +
                                      " apart; they are read as evenly spaced"});
 }
 

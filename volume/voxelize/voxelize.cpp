@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "core/base/errors.h"
+#include "volume/base/rounded_text.h"
 #include "volume/mesh/mesh_box.h"
 #include "volume/mesh/mesh_closure.h"
 #include "volume/voxelize/mesh_distance.h"
@@ -21,13 +21,6 @@ double longest_side(const Box& box) {
   return std::max({box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]});
 }
 
-std::string text(double number) {
-  std::string digits(32, '\0');
-  digits.resize(
-      static_cast<std::size_t>(std::snprintf(digits.data(), digits.size(), "%.6g", number)));
-  return digits;
-}
-
 double voxel_length(const Box& box, const VoxelSize& size, const std::string& what) {
   const double side = longest_side(box);
   constexpr double most_side = 1e100;  // far from where sums and products overflow
@@ -35,10 +28,11 @@ double voxel_length(const Box& box, const VoxelSize& size, const std::string& wh
     throw InvalidInput({.file = what, .text = "the mesh has no extent that could be voxelised"});
   }
   if (size.automatic || size.length.has_value() == size.resolution.has_value()) {
-    throw InvalidArgument({.file = what,
-                           .text = "a mesh needs a voxel size; its longest side is " + text(side),
-                           .advice = {Advice::state_voxel_size}},
-                          Option::voxel_size);
+    throw InvalidArgument(
+        {.file = what,
+         .text = "a mesh needs a voxel size; its longest side is " + rounded_text(side),
+         .advice = {Advice::state_voxel_size}},
+        Option::voxel_size);
   }
   const double length = size.length ? *size.length : side / static_cast<double>(*size.resolution);
   if (!is_spacing(length)) {
@@ -55,8 +49,8 @@ void check_distance(const Box& box, double length, const std::string& what) {
     const double distance = std::max(std::abs(box.low[a]), std::abs(box.high[a]));
     if (distance / length < most_voxels) continue;
     throw InvalidInput({.file = what,
-                        .text = "the mesh lies so far from the origin (" + text(distance) +
-                                ") that voxels of " + text(length) +
+                        .text = "the mesh lies so far from the origin (" + rounded_text(distance) +
+                                ") that voxels of " + rounded_text(length) +
                                 " cannot be told apart; move it to the origin"});
   }
 }
@@ -67,10 +61,11 @@ Index3 dims_of(const Box& box, double length, const std::string& what) {
     const double voxels = std::ceil((box.high[a] - box.low[a]) / length + 2.0 * margin) + 1.0;
     constexpr double most = 1e9;
     if (!(voxels < most)) {
-      throw LimitExceeded({.file = what,
-                           .text = "voxels of " + text(length) + " are more than can be counted",
-                           .advice = {Advice::take_larger_voxels}},
-                          {.unit = Excess::Unit::voxels});
+      throw LimitExceeded(
+          {.file = what,
+           .text = "voxels of " + rounded_text(length) + " are more than can be counted",
+           .advice = {Advice::take_larger_voxels}},
+          {.unit = Excess::Unit::voxels});
     }
     dims[a] = static_cast<std::int64_t>(voxels);
   }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <new>
 #include <optional>
@@ -11,6 +10,7 @@
 
 #include "core/analysis/analysis.h"
 #include "core/base/errors.h"
+#include "volume/base/rounded_text.h"
 #include "volume/mesh/mesh_box.h"
 
 namespace isoloop {
@@ -29,12 +29,6 @@ std::string text(const std::vector<Attempt>& attempts) {
             betti_text(attempt.betti);
   }
   return text;
-}
-
-std::string short_text(double length) {
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.4g", length);
-  return digits.data();
 }
 
 std::uint64_t voxel_bytes(const Volume& volume) {
@@ -98,7 +92,7 @@ Finding account(const std::vector<Attempt>& attempts, const Attempt& best,
   std::string found = ": the voxels have " + text(attempts);
   found += counts.betti ? ", the mesh itself " + betti_text(*counts.betti)
                         : ", and the mesh has no counts of its own, because " + counts.unknown;
-  if (counts.gap) found += " with shells " + short_text(*counts.gap) + " apart";
+  if (counts.gap) found += " with shells " + rounded_text(*counts.gap, 4) + " apart";
   if (limit) found += "; a limit ended it: " + limit->finding.text;
   return {.about = Option::automatic_resolution,
           .text = "took " + std::to_string(best.resolution) + how + found,

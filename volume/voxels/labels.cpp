@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <optional>
 #include <set>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "core/base/errors.h"
+#include "volume/base/rounded_text.h"
 
 namespace isoloop {
 namespace {
@@ -22,12 +22,6 @@ std::string list_of(const std::vector<std::int64_t>& labels) {
   for (const std::int64_t label : labels)
     text += (text.empty() ? "" : ", ") + std::to_string(label);
   return text;
-}
-
-std::string text(double number) {
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.9g", number);
-  return digits.data();
 }
 
 /// What is learnt of the labels on the way over the voxels.
@@ -96,8 +90,10 @@ std::vector<std::uint8_t> mask_of(const std::vector<T>& values, Census& census) 
 
 std::string examples_of(const Census& census) {
   std::string list;
-  for (const double value : census.examples) list += (list.empty() ? "" : ", ") + text(value);
-  return "lie farther than " + text(label_tolerance) + " from a whole number, such as " + list;
+  for (const double value : census.examples)
+    list += (list.empty() ? "" : ", ") + rounded_text(value, 9);
+  return "lie farther than " + rounded_text(label_tolerance, 9) + " from a whole number, such as " +
+         list;
 }
 
 void check_strays(const Census& census, std::size_t voxels, const std::string& what) {
@@ -137,7 +133,7 @@ void report(const Census& census, const std::vector<std::int64_t>& labels, const
     volume.notes.push_back(
         {.text = std::to_string(census.taken_near) +
                  " voxels of these labels are no whole numbers: the nearest is taken, " +
-                 text(census.largest_distance) + " off at most"});
+                 rounded_text(census.largest_distance, 9) + " off at most"});
   }
 }
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "core/base/errors.h"
 #include "core/grid/vec3.h"
 #include "volume/base/refuse.h"
+#include "volume/base/rounded_text.h"
 
 namespace isoloop {
 namespace {
@@ -15,15 +15,9 @@ namespace {
 constexpr double shear_tolerance = 1e-3;  // cosine between two index axes
 constexpr std::array<char, 3> axis_names{'x', 'y', 'z'};
 
-std::string text(double number) {
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.6g", number);
-  return digits.data();
-}
-
 // Six digits, if that is all that rounding to float32 can have moved.
 double rounded_length(double length) {
-  const double rounded = std::strtod(text(length).c_str(), nullptr);
+  const double rounded = std::strtod(rounded_text(length).c_str(), nullptr);
   return std::abs(rounded - length) <= 1e-6 * length ? rounded : length;
 }
 
@@ -40,10 +34,10 @@ void check_right_angles(const Volume& volume, const std::string& what) {
     const double degrees = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
     refuse(what,
            std::string("its axes ") + axis_names[a] + " and " + axis_names[b] + " meet at " +
-               text(degrees) + " degrees (sheared); read as a box of voxels " +
-               text(volume.spacing[0]) + " x " + text(volume.spacing[1]) + " x " +
-               text(volume.spacing[2]) + ", lengths would be wrong by up to " +
-               text(100 * std::abs(cosine)) + " %",
+               rounded_text(degrees) + " degrees (sheared); read as a box of voxels " +
+               rounded_text(volume.spacing[0]) + " x " + rounded_text(volume.spacing[1]) + " x " +
+               rounded_text(volume.spacing[2]) + ", lengths would be wrong by up to " +
+               rounded_text(100 * std::abs(cosine)) + " %",
            Fault::unsupported, {Advice::resample, Advice::state_spacing});
   }
 }
@@ -60,7 +54,7 @@ void place(Volume& volume, const Placement& placement, const std::optional<Vec3>
     const Vec3& column = placement.columns[axis];
     const double length = std::hypot(column[0], column[1], column[2]);
     if (!is_spacing(length)) {
-      refuse_placement(what, "its header states the spacing " + text(length) + " along " +
+      refuse_placement(what, "its header states the spacing " + rounded_text(length) + " along " +
                                  axis_names[axis] + ", which is not between 1e-18 and 1e18");
     }
     if (!std::isfinite(placement.origin[axis])) {
@@ -79,9 +73,9 @@ std::array<Vec3, 3> columns_of(const Vec3& spacing, const std::string& what) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double length = spacing[axis];
     const std::string stated =
-        "its header states the spacing " + text(length) + " along " + axis_names[axis];
+        "its header states the spacing " + rounded_text(length) + " along " + axis_names[axis];
     if (length < 0.0) {
-      refuse_placement(what, stated + ", which may mean a length of " + text(-length) +
+      refuse_placement(what, stated + ", which may mean a length of " + rounded_text(-length) +
                                  " or an axis that runs backwards, and isoloop does not guess");
     }
     if (!std::isfinite(length) || length == 0.0) refuse_placement(what, stated);
