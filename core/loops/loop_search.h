@@ -6,11 +6,13 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "core/loops/certificate.h"
 #include "core/sizes/bucket_queue.h"
 #include "core/surface/surface.h"
+#include "core/z2/class_print.h"
 #include "core/z2/label.h"
 
 namespace isoloop {
@@ -75,9 +77,9 @@ class LoopSearch {
                                       std::span<const std::uint32_t> crossing = {});
 
  private:
-  struct Label {  // numbers in pool_
-    std::uint32_t own = 0;
-    std::uint32_t other = 0;
+  struct Label {
+    ClassPrint own = 0;
+    ClassPrint other = 0;
     bool operator==(const Label&) const = default;
   };
   /// A path from the base to a vertex: the shortest of its class.
@@ -92,22 +94,24 @@ class LoopSearch {
   };
   struct Step {  // along an edge: what its label comes to for this object
     Label label;
-    std::uint32_t odd_for = 0;  // the search that is_odd is for
     bool is_odd = false;
+    std::uint32_t odd_for = 0;  // the search that is_odd is for
   };
   struct Reached {
     std::uint32_t search = 0;  // that last reached the vertex
     std::uint32_t first = 0;   // path to it
   };
-  struct Useful {
-    double length = 0.0;
-    std::uint32_t asked = 0;  // the call of look_for() that it answers
-  };
   struct Closing {
     std::uint32_t from = 0;  // paths
     std::uint32_t to = 0;
-    std::uint32_t other = 0;  // class: number in pool_
-    double length = 0.0;      // with the stem
+    ClassPrint other = 0;
+    double length = 0.0;  // with the stem
+  };
+  struct Met {  // a class, as its walk's labels sum to it
+    GeneratorSet own;
+    GeneratorSet other;
+    double useful_length = 0.0;
+    std::uint32_t asked = 0;  // the call of look_for() that it answers
   };
 
   template <class Close>
@@ -117,7 +121,8 @@ class LoopSearch {
   void begin(std::uint32_t base);
   bool may_settle(const Path& path, std::uint32_t sheets) const;
   std::uint32_t first_path(std::uint32_t vertex) const;
-  double useful_length(std::uint32_t other);
+  double useful_length(const Closing& closing);
+  Curve walk_of(const Closing& closing) const;
   const Step& step_of(std::uint32_t label);
   FoundLoop loop_of(const Closing& closing) const;
 
@@ -125,11 +130,10 @@ class LoopSearch {
   const SurfaceClasses& classes_;
   Side side_;
   WantedLoops wanted_;
-  std::uint32_t asked_ = 0;       // calls of look_for()
-  LabelPool pool_;                // parts of classes met so far, by this object
-  std::uint32_t wanted_own_ = 0;  // number in pool_
-  std::vector<Useful> useful_;    // by number in pool_
-  std::vector<Step> steps_;       // by number in classes_.pool
+  std::uint32_t asked_ = 0;  // calls of look_for()
+  ClassPrint wanted_own_ = 0;
+  std::unordered_map<ClassPrint, Met> met_;  // by the print of own and other
+  std::vector<Step> steps_;                  // by number in classes_.pool
   std::span<const std::uint32_t> crossing_;
   std::vector<std::uint32_t> near_;  // by vertex: the call of stay_near() that last allowed it
   std::uint32_t stays_ = 0;          // calls of stay_near()
