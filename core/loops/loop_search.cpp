@@ -87,6 +87,7 @@ void LoopSearch::begin(std::uint32_t base) {
     current_ = 1;
   }
   settled_ = 0;
+  gave_up_ = false;
   queue_.clear();
   paths_.assign(1, {0.0F, base, {}, none, none, false, false});
   reached_[base] = {current_, 0};
@@ -149,12 +150,19 @@ double LoopSearch::useful_length(const Closing& closing) {
 /// the wanted own class, but not of class 0, no longer than `bound` at that time; `close` may lower
 /// it. The middle of a shortest walk lies on an edge whose ends are both settled by then.
 template <class Close>
-void LoopSearch::explore(std::uint32_t base, double& bound, std::uint32_t sheets,
+void LoopSearch::explore(std::uint32_t base, double& bound, const SearchLimits& limits,
                          const Close& close) {
   begin(base);
+  const std::uint32_t sheets = limits.sheets;
+  searched_ = limits.longest;
   while (!queue_.empty()) {
     const BucketQueue::Item nearest = queue_.take();
     if (2.0 * nearest.key > bound) break;
+    if (settled_ >= limits.most_settled) {
+      gave_up_ = true;
+      searched_ = 2.0 * nearest.key;
+      break;
+    }
     const std::uint32_t number = nearest.value;
     if (!may_settle(paths_[number], sheets)) continue;
     paths_[number].is_settled = true;
@@ -218,11 +226,11 @@ void LoopSearch::extend(const Path& path, const double& bound, std::uint32_t she
   queue_.push(path.distance, same);
 }
 
-std::optional<FoundLoop> LoopSearch::shortest(std::uint32_t base, double longest) {
+std::optional<FoundLoop> LoopSearch::shortest(std::uint32_t base, const SearchLimits& limits) {
   std::optional<FoundLoop> best;
-  double bound = longest;
+  double bound = limits.longest;
   crossing_ = {};
-  explore(base, bound, 1, [&](const Closing& closing) {
+  explore(base, bound, limits, [&](const Closing& closing) {
     if (closing.length >= useful_length(closing)) return;
     bound = std::min(bound, closing.length);
     FoundLoop found = loop_of(closing);
@@ -238,7 +246,7 @@ SearchResult LoopSearch::shortest_of_each_class(std::uint32_t base, const Search
   std::vector<Closing> closings;
   std::unordered_map<ClassPrint, std::size_t> number;  // of each label's closing
   double bound = limits.longest;
-  explore(base, bound, limits.sheets, [&](const Closing& closing) {
+  explore(base, bound, limits, [&](const Closing& closing) {
     if (useful_length(closing) == 0.0) return;
     const auto [at, is_new] = number.try_emplace(closing.other, closings.size());
     if (is_new)
@@ -246,7 +254,7 @@ SearchResult LoopSearch::shortest_of_each_class(std::uint32_t base, const Search
     else if (closing.length < closings[at->second].length)
       closings[at->second] = closing;
   });
-  SearchResult result{{}, shortest_crossing_, settled_};
+  SearchResult result{{}, std::min(shortest_crossing_, searched_), settled_, searched_};
   for (const Closing& closing : closings) {
     FoundLoop loop = loop_of(closing);
     if (loop.length < useful_length(closing)) result.loops.push_back(std::move(loop));

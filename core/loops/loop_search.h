@@ -34,6 +34,7 @@ struct WantedLoops {
 struct SearchLimits {
   double longest = std::numeric_limits<double>::infinity();  // of a closed walk, with its stem
   std::uint32_t sheets = 1;  // classes of paths kept at each vertex, those of the shortest paths
+  std::uint64_t most_settled = std::numeric_limits<std::uint64_t>::max();  // paths
 };
 
 /// What a search from one vertex came to.
@@ -41,6 +42,7 @@ struct SearchResult {
   std::vector<FoundLoop> loops;    // in the order in which their classes are met
   double shortest_crossing = 0.0;  // see LoopSearch::shortest_of_each_class
   std::uint64_t settled = 0;       // paths: what the search cost
+  double searched = 0.0;           // limits.longest, or less if it gave up: how far it came
 };
 
 /// Dijkstra's search on M that carries classes: a path, an edge and a path back close a loop, and
@@ -58,9 +60,13 @@ class LoopSearch {
   /// To be called before the first search.
   void look_for(WantedLoops wanted);
 
-  /// The shortest useful loop that runs through `base`, or on a stem from it, at most `longest`
-  /// long with the stem; returned without it. On one sheet. Nothing where there is none.
-  std::optional<FoundLoop> shortest(std::uint32_t base, double longest);
+  /// The shortest useful loop that runs through `base`, or on a stem from it, at most
+  /// limits.longest long with the stem; returned without it. On one sheet. Nothing where there is
+  /// none, or none was met before the search gave up.
+  std::optional<FoundLoop> shortest(std::uint32_t base, const SearchLimits& limits);
+
+  /// Whether the last search gave up, with limits.most_settled paths settled.
+  bool gave_up() const { return gave_up_; }
 
   /// How far `vertex` is from the last search's base, along M; infinite where it did not come.
   double distance_to(std::uint32_t vertex) const;
@@ -71,8 +77,8 @@ class LoopSearch {
 
   /// For every class met: the loop of the shortest closed walk from `base`, without its stem, if it
   /// is of use. And the length of the shortest closed walk of any class, useful or not, whose part
-  /// in the other side's homology has an odd number of the generators `crossing`; limits.longest
-  /// where there is none as short as that. One sheet is enough for the latter.
+  /// in the other side's homology has an odd number of the generators `crossing`; `searched` where
+  /// there is none as short as that. One sheet is enough for the latter.
   SearchResult shortest_of_each_class(std::uint32_t base, const SearchLimits& limits,
                                       std::span<const std::uint32_t> crossing = {});
 
@@ -115,7 +121,7 @@ class LoopSearch {
   };
 
   template <class Close>
-  void explore(std::uint32_t base, double& bound, std::uint32_t sheets, const Close& close);
+  void explore(std::uint32_t base, double& bound, const SearchLimits& limits, const Close& close);
   template <class Close>
   void extend(const Path& path, const double& bound, std::uint32_t sheets, const Close& close);
   void begin(std::uint32_t base);
@@ -143,6 +149,8 @@ class LoopSearch {
   BucketQueue queue_;  // paths by distance
   std::uint32_t current_ = 0;
   std::uint64_t settled_ = 0;  // in this search
+  bool gave_up_ = false;       // this search
+  double searched_ = 0.0;      // see SearchResult
   double shortest_crossing_ = 0.0;
 };
 
