@@ -21,6 +21,7 @@ isoloop_add_tests(isoloop_core_tests
     core/loops/features_test.cpp
     core/sizes/geodesic_size_test.cpp
     core/curves/geodesic_test.cpp
+    core/complex/flat_complex_test.cpp
     core/complex/grid_complex_test.cpp
     core/loops/killing_border_test.cpp
     core/z2/label_test.cpp
@@ -37,6 +38,7 @@ isoloop_add_tests(isoloop_core_tests
     core/loops/pair_loops_test.cpp
     core/engines/pair_test.cpp
     core/base/per_thread_test.cpp
+    core/base/potentials_test.cpp
     core/scan/plateau_test.cpp
     core/repair/repair_test.cpp
     core/base/rows_test.cpp
@@ -70,6 +72,7 @@ isoloop_add_tests(isoloop_core_tests
     oracles/slow_reduction.cpp
     oracles/swept_cube.cpp
     oracles/swept_volume.cpp
+    oracles/tetrahedra.cpp
   LIBRARIES isoloop::core TBB::tbb)
 target_compile_definitions(isoloop_core_tests PRIVATE ISOLOOP_SOURCE="${PROJECT_SOURCE_DIR}")
 

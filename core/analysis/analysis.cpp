@@ -112,8 +112,8 @@ class Room {
 
 /// Runs the dual pass on both sides; `at_once`: at a time, which takes the memory of two.
 void run_passes(const Surface& surface, Workings& workings, bool at_once) {
-  const auto solve = [](WorkedSide& side, const char* name) {
-    side.pass = dual_pass(*side.complex);
+  const auto solve = [&](WorkedSide& side, const char* name) {
+    side.pass = dual_pass(*side.complex, workings.sizes_of(side));
     if (!labels_are_consistent(*side.complex, side.pass))
       throw SelfCheckFailed(std::string("the labels ") + name +
                             " do not sum to zero round an edge");
@@ -161,9 +161,8 @@ SolvedSide solved(const WorkedSide& side) {
 }
 
 std::uint64_t count_volume_triangles(const Sides& sides, const EdgeIndex& edges) {
-  const EdgeSizes no_sizes;  // counting asks for none
-  return fan_triangle_count(GridComplex(sides, edges, no_sizes, Side::inside)) +
-         fan_triangle_count(GridComplex(sides, edges, no_sizes, Side::outside));
+  return fan_triangle_count(GridComplex(sides, edges, Side::inside)) +
+         fan_triangle_count(GridComplex(sides, edges, Side::outside));
 }
 
 /// The loops of both sides, certified and tightened as the options say.
@@ -250,7 +249,7 @@ Workings work_out_loops(const AnyGridView& grid, const IsoLevel& level,
   const int loop_searches = room.loop_searches(workings.sizes->by_edge.bytes());
   for (const Side side : {Side::inside, Side::outside})
     (side == Side::inside ? workings.inside : workings.outside).complex =
-        std::make_unique<GridComplex>(sides, edges, *workings.sizes, side);
+        std::make_unique<GridComplex>(sides, edges, side);
   const GridComplex& inside = *workings.inside.complex;
   const GridComplex& outside = *workings.outside.complex;
   clock.run("pass", 0.5, seconds.pass, [&] {
@@ -259,7 +258,9 @@ Workings work_out_loops(const AnyGridView& grid, const IsoLevel& level,
   });
   if (options.engine == Engine::pair)
     analysis.pairs = clock.run("pair", 0.7, seconds.pair, [&] {
-      std::vector<SurfacePair> pairs = pair_simplices(surface, inside, outside, options.pair);
+      std::vector<SurfacePair> pairs =
+          pair_simplices(surface, SizedSide{inside, workings.sizes_of(workings.inside)},
+                         SizedSide{outside, workings.sizes_of(workings.outside)}, options.pair);
       if (orders_by_size(options.pair.refinement)) check_engines_agree(pairs, workings);
       return pairs;
     });

@@ -8,6 +8,7 @@
 #include "core/base/memory_budget.h"
 #include "core/base/progress.h"
 #include "core/complex/grid_complex.h"
+#include "core/complex/grid_sizes.h"
 #include "core/cube/sides.h"
 #include "core/engines/dual_pass.h"
 #include "core/engines/pair.h"
@@ -87,6 +88,7 @@ struct Workings {
   Analysis analysis;
 
   const WorkedSide& on(Side side) const { return side == Side::inside ? inside : outside; }
+  GridSizes sizes_of(const WorkedSide& side) const { return {*side.complex, *edges, *sizes}; }
 };
 
 /// Both throw LimitExceeded before a stage that would take more than options.max_bytes.

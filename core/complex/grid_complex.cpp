@@ -58,11 +58,9 @@ std::vector<std::uint32_t> gather(const Lattice& lattice, const Visit& visit) {
 
 }  // namespace
 
-GridComplex::GridComplex(const Sides& sides, const EdgeIndex& edges, const EdgeSizes& sizes,
-                         Side side)
+GridComplex::GridComplex(const Sides& sides, const EdgeIndex& edges, Side side)
     : sides_(sides),
       edges_(edges),
-      sizes_(sizes),
       side_(side),
       many_cells_(side == Side::inside ? Sides::many_inside_cells : Sides::many_outside_cells) {
   const Lattice& lattice = sides.lattice;
@@ -110,20 +108,6 @@ std::uint32_t GridComplex::cell_bound() const {
   return sides_.lattice.vertex_count() + extra_cells_ + 1;
 }
 
-std::vector<std::uint32_t> GridComplex::pieces() const {
-  std::vector<std::uint32_t> all;
-  for (std::uint32_t layer = 0; layer < layer_count(); ++layer)
-    for_each_piece(layer, [&](std::uint32_t piece) { all.push_back(piece); });
-  return all;
-}
-
-std::vector<std::uint32_t> GridComplex::edges() const {
-  std::vector<std::uint32_t> all;
-  for (std::uint32_t layer = 0; layer < layer_count(); ++layer)
-    for_each_edge(layer, [&](std::uint32_t edge) { all.push_back(edge); });
-  return all;
-}
-
 bool GridComplex::is_split(std::uint32_t face, unsigned on_side) const {
   if (!is_ambiguous(on_side)) return false;
   const bool joined = (sides_.cubes[face / 3] >> (face % 3) & Sides::lower_face_joined) != 0;
@@ -162,18 +146,6 @@ std::uint32_t GridComplex::cell_at(std::uint32_t cube, std::uint32_t corner) con
   if (number == 0) return cube;
   return sides_.lattice.vertex_count() + first_extra_cell_[position_in(many_celled_, cube)] +
          number - 1;
-}
-
-float GridComplex::size_near_surface(std::uint32_t piece) const {
-  float largest = 0.0F;
-  for (const std::uint32_t edge : edges_of(piece)) largest = std::max(largest, edge_size(edge));
-  return largest;
-}
-
-float GridComplex::edge_size(std::uint32_t edge) const {
-  return side_ == Side::outside && edges_.is_cut(edge)
-             ? sizes_.of_outside_half[edges_.vertex_on(edge)]
-             : sizes_.by_edge[edge];
 }
 
 std::array<std::uint32_t, 2> GridComplex::cells_near_surface(std::uint32_t piece) const {
@@ -223,14 +195,14 @@ std::array<std::uint32_t, 4> GridComplex::face_pieces(std::uint32_t edge) const 
     const auto p = lattice.position(v);
     there = {p[b] + 1 < lattice.dims[b], p[c] + 1 < lattice.dims[c], p[b] > 0, p[c] > 0};
   }
-  return {there[0] ? piece_at(3 * v + uc, corner) : none,
-          there[1] ? piece_at(3 * v + ub, corner) : none,
-          there[2] ? piece_at(3 * (v - lattice.stride[b]) + uc, corner) : none,
-          there[3] ? piece_at(3 * (v - lattice.stride[c]) + ub, corner) : none};
+  return {there[0] ? piece_at(3 * v + uc, corner) : no_piece,
+          there[1] ? piece_at(3 * v + ub, corner) : no_piece,
+          there[2] ? piece_at(3 * (v - lattice.stride[b]) + uc, corner) : no_piece,
+          there[3] ? piece_at(3 * (v - lattice.stride[c]) + ub, corner) : no_piece};
 }
 
 std::array<std::uint32_t, 4> GridComplex::walls_at(std::uint32_t edge) const {
-  std::array<std::uint32_t, 4> walls{none, none, none, none};
+  std::array<std::uint32_t, 4> walls{no_piece, no_piece, no_piece, no_piece};
   if (has_wall_edge_.empty() || !has_wall_edge_[edge / 3]) return walls;
   const auto cubes = cubes_round(sides_.lattice, edge);
   auto at = std::lower_bound(
@@ -247,22 +219,22 @@ ShortList<std::uint32_t, 8> GridComplex::ring_near_surface(std::uint32_t edge) c
   const auto walls = walls_at(edge);
   ShortList<std::uint32_t, 8> list;
   for (std::size_t i = 0; i < 4; ++i) {
-    if (pieces[i] != none) list.push_back(pieces[i]);
-    if (walls[i] != none) list.push_back(walls[i]);
+    if (pieces[i] != no_piece) list.push_back(pieces[i]);
+    if (walls[i] != no_piece) list.push_back(walls[i]);
   }
   return list;
 }
 
-GridComplex::CutRing GridComplex::cut_ring(std::uint32_t edge) const {
+CutRing GridComplex::cut_ring(std::uint32_t edge) const {
   return {face_pieces(edge), cubes_round(sides_.lattice, edge), walls_at(edge)};
 }
 
-std::vector<GridComplex::Beyond> GridComplex::beyond_walls() const {
-  std::vector<Beyond> all;
+std::vector<BeyondWall> GridComplex::beyond_walls() const {
+  std::vector<BeyondWall> all;
   for (std::uint32_t piece = first_wall_; piece < piece_bound(); ++piece) {
     const Sides::Tunnel& tunnel = tunnel_of(piece);
     for (const CubeWall::TriangleCorner& at : cut_at(sides_, tunnel).wall.beyond)
-      all.push_back({piece, tunnel.cube, at});
+      all.push_back({piece, tunnel.cube, at.triangle, at.corner});
   }
   return all;
 }

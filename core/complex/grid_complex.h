@@ -6,9 +6,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/short_list.h"
 #include "core/complex/complex.h"
+#include "core/complex/near_surface.h"
 #include "core/cube/sides.h"
-#include "core/sizes/geodesic_size.h"
 #include "core/surface/edge_index.h"
 
 namespace isoloop {
@@ -21,15 +22,13 @@ namespace isoloop {
 /// boundary is open. An interior edge, full or cut, has the number of its grid edge.
 class GridComplex {
  public:
-  /// Keeps references: all three must outlive it.
-  GridComplex(const Sides& sides, const EdgeIndex& edges, const EdgeSizes& sizes, Side side);
+  /// Keeps references: both must outlive it.
+  GridComplex(const Sides& sides, const EdgeIndex& edges, Side side);
 
   std::uint32_t piece_bound() const;
   std::uint32_t cell_bound() const;
   std::uint32_t edge_bound() const { return 3 * sides_.lattice.vertex_count(); }
 
-  std::vector<std::uint32_t> pieces() const;
-  std::vector<std::uint32_t> edges() const;
   std::uint32_t layer_count() const { return sides_.lattice.dims[2] + 1; }
   std::uint32_t first_cell(std::uint32_t layer) const {
     return std::min(layer, sides_.lattice.dims[2]) * sides_.lattice.stride[2];
@@ -44,39 +43,21 @@ class GridComplex {
   unsigned faces_at(std::uint32_t v, const std::array<std::uint32_t, 3>& position) const;
   unsigned edges_at(std::uint32_t v, const std::array<std::uint32_t, 3>& position) const;
   unsigned plain_rings_at(std::uint32_t v, const std::array<std::uint32_t, 3>& position) const;
-  float size(std::uint32_t piece) const;
-  float edge_size(std::uint32_t edge) const;  // of an interior edge, or of its half on this side
+  /// Whether the piece is a whole face of the grid: M cuts none of its edges, which are
+  /// face_edges().
+  bool is_whole_face(std::uint32_t piece) const {
+    return piece < edge_bound() && corners_on_side(piece) == 15U;
+  }
+  std::array<std::uint32_t, 4> face_edges(std::uint32_t face) const;
   std::array<std::uint32_t, 2> cells(std::uint32_t piece) const;
   ShortList<std::uint32_t, 4> edges_of(std::uint32_t piece) const;
   ShortList<std::uint32_t, 8> ring(std::uint32_t edge) const;  // in cyclic order
 
-  /// The four pieces of faces round the half of a cut edge on this side, in cyclic order, and the
-  /// lowest corners of the cubes between them: cube i lies between pieces i and i + 1. A wall that
-  /// ends at the edge within cube i parts it further.
-  struct CutRing {
-    std::array<std::uint32_t, 4> pieces;
-    std::array<std::uint32_t, 4> cubes;
-    std::array<std::uint32_t, 4> walls;  // or none
-  };
-  static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
   CutRing cut_ring(std::uint32_t edge) const;
-
-  /// Where triangles of M meet a wall at one of its vertices from beyond it: after the wall in the
-  /// order of the cut ring, or in one of the two sectors at a vertex within the cube.
-  struct Beyond {
-    std::uint32_t piece;  // the wall
-    std::uint32_t cube;
-    CubeWall::TriangleCorner at;  // a corner of that triangle among the cube's own
-  };
-  std::vector<Beyond> beyond_walls() const;
-
-  /// The segments of M on the piece's border, as pairs of vertices of M.
+  std::vector<BeyondWall> beyond_walls() const;
   ShortList<std::array<std::uint32_t, 2>, 2> segments(std::uint32_t piece) const;
 
-  /// The grid vertices at the piece's corners on this side.
   ShortList<std::uint32_t, 4> corners(std::uint32_t piece) const;
-
-  /// The piece of the face, and the cell of the cube, at a corner on this side.
   std::uint32_t piece_at(std::uint32_t face, std::uint32_t corner) const;
   std::uint32_t cell_at(std::uint32_t cube, std::uint32_t corner) const;
 
@@ -91,7 +72,6 @@ class GridComplex {
   };
 
   // The answers where M is near, or the border of the box.
-  float size_near_surface(std::uint32_t piece) const;
   std::array<std::uint32_t, 2> cells_near_surface(std::uint32_t piece) const;
   ShortList<std::uint32_t, 4> edges_near_surface(std::uint32_t piece) const;
   ShortList<std::uint32_t, 8> ring_near_surface(std::uint32_t edge) const;
@@ -120,14 +100,12 @@ class GridComplex {
   std::array<std::uint32_t, 4> face_pieces(std::uint32_t edge) const;
   std::array<std::uint32_t, 4> walls_at(std::uint32_t edge) const;
   std::array<std::uint32_t, 4> face_corners(std::uint32_t face) const;
-  std::array<std::uint32_t, 4> face_edges(std::uint32_t face) const;
   unsigned corners_on_side(std::uint32_t face) const;
   bool is_split(std::uint32_t face, unsigned on_side) const;
   Piece describe(std::uint32_t piece) const;
 
   const Sides& sides_;
   const EdgeIndex& edges_;
-  const EdgeSizes& sizes_;
   Side side_;
   std::uint8_t many_cells_;                      // the flag of cubes with more than one cell here
   std::vector<std::uint32_t> split_faces_;       // with two pieces here; ascending
@@ -228,14 +206,6 @@ void GridComplex::for_each_edge(std::uint32_t layer, const Visit& visit) const {
     }
 }
 
-inline float GridComplex::size(std::uint32_t piece) const {
-  if (piece >= edge_bound() || corners_on_side(piece) != 15U) return size_near_surface(piece);
-  float largest = 0.0F;
-  for (const std::uint32_t edge : face_edges(piece))
-    largest = std::max(largest, sizes_.by_edge[edge]);
-  return largest;
-}
-
 inline std::array<std::uint32_t, 2> GridComplex::cells(std::uint32_t piece) const {
   const std::uint32_t v = piece / 3;
   if (piece >= edge_bound() || on_border(v)) return cells_near_surface(piece);
@@ -246,7 +216,7 @@ inline std::array<std::uint32_t, 2> GridComplex::cells(std::uint32_t piece) cons
 }
 
 inline ShortList<std::uint32_t, 4> GridComplex::edges_of(std::uint32_t piece) const {
-  if (piece >= edge_bound() || corners_on_side(piece) != 15U) return edges_near_surface(piece);
+  if (!is_whole_face(piece)) return edges_near_surface(piece);
   return {face_edges(piece), 4};
 }
 
@@ -263,6 +233,6 @@ inline ShortList<std::uint32_t, 8> GridComplex::ring(std::uint32_t edge) const {
   return {{3 * v + uc, 3 * v + ub, 3 * before_b + uc, 3 * before_c + ub}, 4};
 }
 
-static_assert(Complex<GridComplex>);
+static_assert(BesideSurface<GridComplex> && MeetsSurface<GridComplex> && HoldsVoxels<GridComplex>);
 
 }  // namespace isoloop

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include <boost/sort/spreadsort/integer_sort.hpp>
@@ -23,35 +24,38 @@ inline std::uint64_t order_key(float size, std::uint32_t piece) {
   return std::uint64_t{std::bit_cast<std::uint32_t>(size)} << 32 | piece;
 }
 
-/// Sorts pieces by size, largest first, and among equal sizes by number, largest first: the
+/// The pieces by size, largest first, and among equal sizes by number, largest first: the
 /// filtration of the paper read backwards.
-template <Complex C>
-void sort_from_largest(const C& complex, std::vector<std::uint32_t>& pieces) {
+template <PieceSizes S>
+std::vector<std::uint32_t> from_largest(const S& sizes, std::vector<std::uint32_t> pieces) {
   const std::size_t count = pieces.size();
   std::vector<std::uint64_t> keys(count);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1 << 14), [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i)
-      keys[i] = order_key(complex.size(pieces[i]), pieces[i]);
+      keys[i] = order_key(sizes.of_piece(pieces[i]), pieces[i]);
   });
   boost::sort::spreadsort::integer_sort(keys.begin(), keys.end());
   for (std::size_t i = 0; i < count; ++i)
     pieces[i] = static_cast<std::uint32_t>(keys[count - 1 - i]);
+  return pieces;
 }
 
-/// The pieces missing in `known`, in that order, down to some size: the largest eighth of them or
-/// more, and all where they are few. Halves, at least, what sorting them all would hold in memory.
-template <Complex C>
-std::vector<std::uint32_t> largest_missing(const C& complex, const BitSet& known) {
+/// The pieces below `bound` that are missing in `known`, in that order, down to some size: the
+/// largest eighth of them or more, and all where they are few. Halves, at least, what sorting them
+/// all would hold in memory.
+template <PieceSizes S>
+std::vector<std::uint32_t> largest_missing(const S& sizes, std::uint32_t bound,
+                                           const BitSet& known) {
   constexpr std::size_t few = 1 << 16;
   constexpr int dropped_bits = 16;  // of a size: what is left are its exponent and 7 bits more
   constexpr std::uint32_t chunk = 1 << 18;  // numbers of pieces
   const auto bin = [&](std::uint32_t piece) {
-    return std::bit_cast<std::uint32_t>(complex.size(piece)) >> dropped_bits;
+    return std::bit_cast<std::uint32_t>(sizes.of_piece(piece)) >> dropped_bits;
   };
-  std::vector<std::vector<std::uint32_t>> chunks(complex.piece_bound() / chunk + 1);
+  std::vector<std::vector<std::uint32_t>> chunks(bound / chunk + 1);
   const auto for_each_missing = [&](std::size_t c, const auto& visit) {
     const auto begin = static_cast<std::uint32_t>(c) * chunk;
-    known.for_each_missing(begin, begin + std::min(chunk, complex.piece_bound() - begin), visit);
+    known.for_each_missing(begin, begin + std::min(chunk, bound - begin), visit);
   };
   std::vector<std::uint32_t> in_bin(std::size_t{1} << (31 - dropped_bits));  // no size has a sign
   PerThread<std::vector<std::uint32_t>> counters;
@@ -76,16 +80,7 @@ std::vector<std::uint32_t> largest_missing(const C& complex, const BitSet& known
   for (const std::vector<std::uint32_t>& each : chunks)
     pieces.insert(pieces.end(), each.begin(), each.end());
   chunks = std::vector<std::vector<std::uint32_t>>();  // before the keys come
-  sort_from_largest(complex, pieces);
-  return pieces;
-}
-
-/// All pieces in that order.
-template <Complex C>
-std::vector<std::uint32_t> pieces_from_largest(const C& complex) {
-  std::vector<std::uint32_t> pieces = complex.pieces();
-  sort_from_largest(complex, pieces);
-  return pieces;
+  return from_largest(sizes, std::move(pieces));
 }
 
 }  // namespace isoloop

@@ -2,53 +2,19 @@
 
 #include <algorithm>
 #include <atomic>
-#include <optional>
 #include <utility>
 #include <vector>
 
+#include "core/complex/flat_complex.h"
+#include "core/complex/grid_complex.h"
+#include "core/complex/grid_sizes.h"
 #include "core/complex/order.h"
 #include "core/engines/spanning_forest.h"
 #include "core/engines/zero_labels.h"
+#include "core/z2/z2_basis.h"
 
 namespace isoloop {
 namespace {
-
-/// Generators that a relation has expressed by older ones. Generators are numbered in order of
-/// birth, so the youngest of a set is its greatest.
-class Elimination {
- public:
-  GeneratorSet reduce(std::span<const std::uint32_t> set) const {
-    GeneratorSet reduced(set.begin(), set.end());
-    for (std::size_t i = reduced.size(); i-- > 0;) {
-      if (reduced[i] >= expressed_by_.size() || !expressed_by_[reduced[i]]) continue;
-      // The substitute holds older generators only: what lies above position i stays as it is.
-      const std::uint32_t youngest = reduced[i];
-      GeneratorSet substitute = *expressed_by_[youngest];
-      substitute.push_back(youngest);
-      reduced = sum_of(reduced, substitute);
-      i = static_cast<std::size_t>(std::lower_bound(reduced.begin(), reduced.end(), youngest) -
-                                   reduced.begin());
-    }
-    return reduced;
-  }
-
-  /// Imposes sum = 0.
-  void relate(std::span<const std::uint32_t> sum) {
-    GeneratorSet relation = reduce(sum);
-    if (relation.empty()) return;
-    const std::uint32_t youngest = relation.back();
-    relation.pop_back();
-    if (expressed_by_.size() <= youngest) expressed_by_.resize(youngest + 1);
-    expressed_by_[youngest] = std::move(relation);
-  }
-
-  bool is_eliminated(std::uint32_t generator) const {
-    return generator < expressed_by_.size() && expressed_by_[generator].has_value();
-  }
-
- private:
-  std::vector<std::optional<GeneratorSet>> expressed_by_;
-};
 
 /// Labels pieces; whenever all but one piece of a ring are labelled, the last one follows.
 template <Complex C>
@@ -86,13 +52,15 @@ class Propagation {
       if (unknown == 1)
         assign(last, sum);
       else if (unknown == 0 && sum != 0)
-        elimination.relate(pool.generators(sum));
+        relations.add(pool.generators(sum));
     }
   }
 
   LabelPool pool;
   SparseLabels labels;
-  Elimination elimination;
+  /// Generators are numbered in order of birth, so that each relation expresses its pivot, the
+  /// youngest of its own, by older ones.
+  Z2Basis relations;
 
  private:
   const C& complex_;
@@ -101,19 +69,19 @@ class Propagation {
 };
 
 /// Replaces eliminated generators in all labels and renumbers the rest in order of killing.
-template <Complex C>
-DualPass finish(const C& complex, Propagation<C>& state, const std::vector<std::uint32_t>& born) {
+template <Complex C, PieceSizes S>
+DualPass finish(const S& sizes, Propagation<C>& state, const std::vector<std::uint32_t>& born) {
   DualPass pass;
   std::vector<std::uint32_t> number(born.size());
   for (std::size_t i = born.size(); i-- > 0;) {
     const auto generator = static_cast<std::uint32_t>(i);
-    if (state.elimination.is_eliminated(generator)) continue;
+    if (state.relations.is_pivot(generator)) continue;
     number[i] = static_cast<std::uint32_t>(pass.killing.size());
-    pass.killing.push_back({born[i], complex.size(born[i])});
+    pass.killing.push_back({born[i], sizes.of_piece(born[i])});
   }
   std::vector<std::uint32_t> final_label(state.pool.count());
   for (std::uint32_t label = 0; label < state.pool.count(); ++label) {
-    GeneratorSet set = state.elimination.reduce(state.pool.generators(label));
+    GeneratorSet set = state.relations.remainder(state.pool.generators(label));
     for (std::uint32_t& generator : set) generator = number[generator];
     std::reverse(set.begin(), set.end());  // the oldest kills last
     final_label[label] = pass.pool.intern(set);
@@ -124,7 +92,8 @@ DualPass finish(const C& complex, Propagation<C>& state, const std::vector<std::
 }
 
 /// Whether each generator is in an even number of the labels round the edge.
-bool sums_to_zero(const GridComplex& complex, std::uint32_t edge, const DualPass& pass) {
+template <Complex C>
+bool sums_to_zero(const C& complex, std::uint32_t edge, const DualPass& pass) {
   std::uint32_t one = 0;
   std::vector<std::uint32_t> generators;  // of all labels but for equal ones that follow each other
   const auto add = [&](std::uint32_t label) {
@@ -151,12 +120,13 @@ bool sums_to_zero(const GridComplex& complex, std::uint32_t edge, const DualPass
 
 }  // namespace
 
-DualPass dual_pass(const GridComplex& complex) {
-  Propagation state(complex, zero_labels(complex, largest_forest(complex)));
+template <Complex C, PieceSizes S>
+DualPass dual_pass(const C& complex, const S& sizes) {
+  Propagation state(complex, zero_labels(complex, largest_forest(complex, sizes)));
   std::vector<std::uint32_t> born;
   std::vector<std::uint32_t> largest;
   do {
-    largest = largest_missing(complex, state.known());
+    largest = largest_missing(sizes, complex.piece_bound(), state.known());
     for (const std::uint32_t piece : largest) {
       if (state.known()[piece]) continue;
       const auto generator = static_cast<std::uint32_t>(born.size());
@@ -165,10 +135,11 @@ DualPass dual_pass(const GridComplex& complex) {
       state.run();
     }
   } while (!largest.empty());
-  return finish(complex, state, born);
+  return finish(sizes, state, born);
 }
 
-bool labels_are_consistent(const GridComplex& complex, const DualPass& pass) {
+template <Complex C>
+bool labels_are_consistent(const C& complex, const DualPass& pass) {
   std::atomic<bool> consistent = true;
   pass.labels.for_each_shared([&](std::uint32_t piece, std::uint32_t) {
     for (const std::uint32_t edge : complex.edges_of(piece))
@@ -180,5 +151,11 @@ bool labels_are_consistent(const GridComplex& complex, const DualPass& pass) {
   }
   return consistent;
 }
+
+template DualPass dual_pass(const GridComplex&, const GridSizes&);
+template DualPass dual_pass(const GridComplex&, const FlatSizes&);
+template DualPass dual_pass(const FlatComplex&, const FlatSizes&);
+template bool labels_are_consistent(const GridComplex&, const DualPass&);
+template bool labels_are_consistent(const FlatComplex&, const DualPass&);
 
 }  // namespace isoloop

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/complex/grid_complex.h"
+#include "core/complex/complex.h"
 #include "core/z2/label.h"
 
 namespace isoloop {
@@ -27,11 +27,14 @@ struct DualPass {
 /// Reads the filtration of the complex backwards: Kruskal from the largest piece down, then labels
 /// by propagation and elimination of the youngest generator. The pieces found are those that PAIR
 /// (Dey, Li, Sun, Cohen-Steiner, SIGGRAPH 2008, algorithm 1) pairs with edges of M under the same
-/// total order, by Lefschetz duality of (side, M). Near-linear where labels are short.
-DualPass dual_pass(const GridComplex& complex);
+/// total order, by Lefschetz duality of (side, M). Near-linear where labels are short. Compiled in
+/// dual_pass.cpp for the complexes that are listed there.
+template <Complex C, PieceSizes S>
+DualPass dual_pass(const C& complex, const S& sizes);
 
 /// Whether the labels round every interior edge sum to 0 and each killing piece has its own label.
 /// Checks what a caller would otherwise have to believe; linear in the labels that are not empty.
-bool labels_are_consistent(const GridComplex& complex, const DualPass& pass);
+template <Complex C>
+bool labels_are_consistent(const C& complex, const DualPass& pass);
 
 }  // namespace isoloop

@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <bit>
 #include <iterator>
 #include <limits>
-#include <numeric>
 #include <span>
 #include <string>
-#include <unordered_map>
 #include <utility>
 
 #include <boost/sort/spreadsort/integer_sort.hpp>
@@ -17,10 +14,14 @@
 #include "core/base/disjoint_sets.h"
 #include "core/base/errors.h"
 #include "core/base/run_both.h"
+#include "core/complex/flat_complex.h"
+#include "core/complex/grid_complex.h"
+#include "core/complex/grid_sizes.h"
 #include "core/complex/order.h"
 #include "core/surface/surface_order.h"
 #include "core/z2/bit_column.h"
 #include "core/z2/label.h"
+#include "core/z2/z2_basis.h"
 
 namespace isoloop {
 namespace {
@@ -28,18 +29,18 @@ namespace {
 /// The pieces whose triangles may kill a cycle, oldest first. A piece that closes off a part of
 /// the side gives birth to a void: its column reduces to 0 (clearing). By duality those are the
 /// pieces that join two components of cells when the filtration is read backwards.
-std::vector<std::uint32_t> killing_candidates(const GridComplex& complex, Refinement refinement) {
-  std::vector<std::uint32_t> pieces;
+template <PairComplex C, Sizes S>
+std::vector<std::uint32_t> killing_candidates(const SizedSide<C, S>& side, Refinement refinement) {
+  std::vector<std::uint32_t> pieces = all_pieces(side.complex);
   if (orders_by_size(refinement)) {
-    pieces = pieces_from_largest(complex);
+    pieces = from_largest(side.sizes, std::move(pieces));
   } else {
-    pieces = complex.pieces();
     std::reverse(pieces.begin(), pieces.end());
   }
-  DisjointSets cells(complex.cell_bound());
+  DisjointSets cells(side.complex.cell_bound());
   std::size_t kept = 0;
   for (const std::uint32_t piece : pieces) {
-    const auto [a, b] = complex.cells(piece);
+    const auto [a, b] = side.complex.cells(piece);
     if (!cells.unite(a, b)) pieces[kept++] = piece;
   }
   pieces.resize(kept);
@@ -58,20 +59,20 @@ struct SideRows {
 };
 
 /// Rows of the edges off M: those of M are older, `first` in number.
-SideRows rows_off_surface(const GridComplex& complex, Refinement refinement, std::uint32_t first) {
-  std::vector<std::uint32_t> edges = complex.edges();
+template <PairComplex C, Sizes S>
+SideRows rows_off_surface(const SizedSide<C, S>& side, Refinement refinement, std::uint32_t first) {
+  std::vector<std::uint32_t> edges = all_edges(side.complex);
   if (edges.size() > std::numeric_limits<std::uint32_t>::max() - first)
     throw LimitExceeded(
         {.text = "the volume has too many edges for 32-bit rows", .advice = {Advice::take_part}});
   if (orders_by_size(refinement)) {
     std::vector<std::uint64_t> keys(edges.size());
     for (std::size_t i = 0; i < edges.size(); ++i)
-      keys[i] =
-          std::uint64_t{std::bit_cast<std::uint32_t>(complex.edge_size(edges[i]))} << 32 | edges[i];
+      keys[i] = order_key(side.sizes.of_edge(edges[i]), edges[i]);
     boost::sort::spreadsort::integer_sort(keys.begin(), keys.end());
     for (std::size_t i = 0; i < edges.size(); ++i) edges[i] = static_cast<std::uint32_t>(keys[i]);
   }
-  SideRows rows{std::vector<std::uint32_t>(complex.edge_bound()), first};
+  SideRows rows{std::vector<std::uint32_t>(side.complex.edge_bound()), first};
   for (const std::uint32_t edge : edges) rows.of_edge[edge] = rows.bound++;
   return rows;
 }
@@ -106,31 +107,33 @@ class ReducedColumns {
 
 /// A piece that kills, and the first cycle on M that its reduction comes to.
 struct FirstCycle {
-  const GridComplex* complex = nullptr;
+  Side side = Side::inside;
   std::uint32_t piece = 0;
+  float size = 0.0F;  // of the piece
   std::vector<std::uint32_t> rows;
 };
 
 /// The reduction as far as edges off M go, which knows nothing of the other side.
+template <PairComplex C, Sizes S>
 class SidePairing {
  public:
-  SidePairing(const Surface& surface, const SurfaceOrder& order, const GridComplex& complex,
+  SidePairing(const Surface& surface, const SurfaceOrder& order, const SizedSide<C, S>& side,
               Refinement refinement)
       : surface_(surface),
         order_(order),
-        complex_(complex),
+        side_(side),
         refinement_(refinement),
-        rows_(rows_off_surface(complex, refinement, order.row_count())),
+        rows_(rows_off_surface(side, refinement, order.row_count())),
         column_(rows_.bound),
         columns_(rows_.bound) {}
 
   /// Stops at `at_most` cycles, and where none is `missing` on either side; counts `missing` down.
   std::vector<FirstCycle> run(std::int64_t at_most, std::atomic<std::int64_t>& missing) {
     std::vector<FirstCycle> found;
-    for (const std::uint32_t piece : killing_candidates(complex_, refinement_)) {
+    for (const std::uint32_t piece : killing_candidates(side_, refinement_)) {
       if (static_cast<std::int64_t>(found.size()) == at_most || missing <= 0) break;
       if (pair_off_surface(piece)) continue;
-      found.push_back({&complex_, piece, {}});
+      found.push_back({Side::inside, piece, side_.sizes.of_piece(piece), {}});
       column_.drain(found.back().rows);
       --missing;
     }
@@ -140,9 +143,9 @@ class SidePairing {
  private:
   void load_border(std::uint32_t piece) {
     border_.clear();
-    for (const std::uint32_t edge : complex_.edges_of(piece))
+    for (const std::uint32_t edge : side_.complex.edges_of(piece))
       border_.push_back(rows_.of_edge[edge]);
-    for (const auto& segment : complex_.segments(piece))
+    for (const auto& segment : side_.complex.segments(piece))
       border_.push_back(row_between(surface_, order_, segment[0], segment[1]));
   }
 
@@ -170,7 +173,7 @@ class SidePairing {
 
   const Surface& surface_;
   const SurfaceOrder& order_;
-  const GridComplex& complex_;
+  const SizedSide<C, S>& side_;
   Refinement refinement_;
   SideRows rows_;
   BitColumn column_;
@@ -179,8 +182,9 @@ class SidePairing {
 };
 
 struct Killing {
-  const GridComplex* complex = nullptr;
+  Side side = Side::inside;
   std::uint32_t piece = 0;
+  float size = 0.0F;                 // of the piece
   std::vector<std::uint32_t> cycle;  // rows
   GeneratorSet unpaired;             // of the cycle at the end of the reduction: rows of M's
                                      // edges that stay unpaired after M, ascending
@@ -198,7 +202,7 @@ class CyclePairing {
 
   /// Reduces a cycle down to an edge that is unpaired still.
   Killing reduce(const FirstCycle& first) {
-    Killing killing{first.complex, first.piece, {}, {}};
+    Killing killing{first.side, first.piece, first.size, {}, {}};
     load(first.rows);
     double length = 0.0;
     for (const std::uint32_t row : first.rows) length += length_of_row(row);
@@ -260,40 +264,23 @@ class CyclePairing {
   ReducedColumns columns_;
 };
 
-/// The edges that pair in the one filtration of both sides: the cycles that come later are reduced
-/// by all before them, whatever their side, so that no edge is taken twice.
-class EdgePairing {
- public:
-  std::uint32_t take(GeneratorSet rows) {
-    while (!rows.empty()) {
-      const auto taken = by_youngest_.find(rows.back());
-      if (taken == by_youngest_.end()) break;
-      rows = sum_of(rows, taken->second);
-    }
-    if (rows.empty()) throw SelfCheckFailed("a cycle that PAIR found bounds on both sides");
-    const std::uint32_t youngest = rows.back();
-    by_youngest_.emplace(youngest, std::move(rows));
-    return youngest;
-  }
-
- private:
-  std::unordered_map<std::uint32_t, GeneratorSet> by_youngest_;
-};
-
 using FirstCycles = std::array<std::vector<FirstCycle>, 2>;  // inside, outside
 
+template <PairComplex C, Sizes S>
 FirstCycles find_first_cycles(const Surface& surface, const SurfaceOrder& order,
-                              const GridComplex& inside, const GridComplex& outside,
+                              const SizedSide<C, S>& inside, const SizedSide<C, S>& outside,
                               Refinement refinement) {
   // How many classes die on each side is known where M is closed; together they are all of H1(M).
   const std::int64_t at_most =
       surface.boundary == Boundary::closed ? surface.genus() : surface.betti1();
   std::atomic<std::int64_t> missing = surface.betti1();
   FirstCycles found;
-  const auto run = [&](const GridComplex& complex, std::vector<FirstCycle>& cycles) {
-    cycles = SidePairing(surface, order, complex, refinement).run(at_most, missing);
+  const auto run = [&](Side at, const SizedSide<C, S>& side, std::vector<FirstCycle>& cycles) {
+    cycles = SidePairing(surface, order, side, refinement).run(at_most, missing);
+    for (FirstCycle& cycle : cycles) cycle.side = at;
   };
-  run_both([&] { run(inside, found[0]); }, [&] { run(outside, found[1]); });
+  run_both([&] { run(Side::inside, inside, found[0]); },
+           [&] { run(Side::outside, outside, found[1]); });
   if (missing != 0)
     throw SelfCheckFailed("of " + std::to_string(surface.betti1()) +
                           " independent loops on the surface PAIR left " +
@@ -307,8 +294,7 @@ std::vector<Killing> reduce_cycles(const Surface& surface, const SurfaceOrder& o
   if (surface.boundary == Boundary::open) {
     std::vector<FirstCycle> merged;
     const auto key = [&](const FirstCycle& cycle) {
-      return std::pair(orders_by_size(refinement) ? cycle.complex->size(cycle.piece) : 0.0F,
-                       cycle.piece);
+      return std::pair(orders_by_size(refinement) ? cycle.size : 0.0F, cycle.piece);
     };
     std::merge(found[0].begin(), found[0].end(), found[1].begin(), found[1].end(),
                std::back_inserter(merged),
@@ -335,30 +321,55 @@ bool orders_by_size(Refinement refinement) {
   return refinement == Refinement::second || refinement == Refinement::both;
 }
 
-std::vector<SurfacePair> pair_simplices(const Surface& surface, const GridComplex& inside,
-                                        const GridComplex& outside, const PairOptions& options) {
+template <PairComplex C, Sizes S>
+std::vector<SurfacePair> pair_simplices(const Surface& surface, const SizedSide<C, S>& inside,
+                                        const SizedSide<C, S>& outside,
+                                        const PairOptions& options) {
   const SurfaceOrder order = order_surface(surface);
   FirstCycles found = find_first_cycles(surface, order, inside, outside, options.refinement);
-  EdgePairing edges;
+  // The edges that pair in the one filtration of both sides: the cycles that come later are reduced
+  // by all before them, whatever their side, so that no edge is taken twice.
+  Z2Basis unpaired;
   std::vector<SurfacePair> pairs;
   for (const Killing& killing :
        reduce_cycles(surface, order, std::move(found), options.refinement)) {
     SurfacePair& pair = pairs.emplace_back();
-    pair.edge = order.edges[edges.take(killing.unpaired)];
-    pair.side = killing.complex->side();
+    const auto edge = unpaired.add(killing.unpaired);
+    if (!edge) throw SelfCheckFailed("a cycle that PAIR found bounds on both sides");
+    pair.edge = order.edges[*edge];
+    pair.side = killing.side;
     pair.piece = killing.piece;
-    pair.size = killing.complex->size(killing.piece);
+    pair.size = killing.size;
     for (const std::uint32_t row : killing.cycle) pair.cycle.push_back(order.edges[row]);
   }
   return pairs;
 }
 
-std::uint64_t fan_triangle_count(const GridComplex& complex) {
-  const std::vector<std::uint32_t> pieces = complex.pieces();
-  return std::accumulate(
-      pieces.begin(), pieces.end(), std::uint64_t{0}, [&](std::uint64_t sum, std::uint32_t piece) {
-        return sum + complex.edges_of(piece).count + complex.segments(piece).count - 2;
-      });
+template <PairComplex C>
+std::uint64_t fan_triangle_count(const C& complex) {
+  std::uint64_t triangles = 0;
+  for (const std::uint32_t piece : all_pieces(complex)) {
+    const auto edges = complex.edges_of(piece);
+    const auto segments = complex.segments(piece);
+    triangles += static_cast<std::uint64_t>((edges.end() - edges.begin()) +
+                                            (segments.end() - segments.begin()) - 2);
+  }
+  return triangles;
 }
+
+template std::vector<SurfacePair> pair_simplices(const Surface&,
+                                                 const SizedSide<GridComplex, GridSizes>&,
+                                                 const SizedSide<GridComplex, GridSizes>&,
+                                                 const PairOptions&);
+template std::vector<SurfacePair> pair_simplices(const Surface&,
+                                                 const SizedSide<FlatComplex, FlatSizes>&,
+                                                 const SizedSide<FlatComplex, FlatSizes>&,
+                                                 const PairOptions&);
+template std::vector<SurfacePair> pair_simplices(const Surface&,
+                                                 const SizedSide<GridComplex, FlatSizes>&,
+                                                 const SizedSide<GridComplex, FlatSizes>&,
+                                                 const PairOptions&);
+template std::uint64_t fan_triangle_count(const GridComplex&);
+template std::uint64_t fan_triangle_count(const FlatComplex&);
 
 }  // namespace isoloop

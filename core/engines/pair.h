@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/complex/grid_complex.h"
+#include "core/complex/near_surface.h"
 #include "core/surface/surface.h"
 
 namespace isoloop {
@@ -37,6 +37,15 @@ struct SurfacePair {
   std::vector<std::array<std::uint32_t, 2>> cycle;  // killed; edges of M, each once
 };
 
+/// One side, and what orders it.
+template <PairComplex C, Sizes S>
+struct SizedSide {
+  const C& complex;
+  const S& sizes;
+};
+template <PairComplex C, Sizes S>
+SizedSide(const C&, const S&) -> SizedSide<C, S>;
+
 /// Algorithm 1 of the paper on the 2-skeleton of K: M first, then one side, each side for itself
 /// after M. Returns 2 genus(M) pairs, those of the inside first, each side's in the order in which
 /// they kill. All edges differ, as in the filtration M, inside, outside; every cycle bounds on its
@@ -47,11 +56,14 @@ struct SurfacePair {
 /// of its edges: all but the last triangle pair with them, and the last one's border comes to the
 /// border of the piece, where the reduction starts. Near-cubic at worst, for all that it skips.
 /// Throws SelfCheckFailed unless every class of H1(M) dies, half of them inside where M is closed.
-std::vector<SurfacePair> pair_simplices(const Surface& surface, const GridComplex& inside,
-                                        const GridComplex& outside,
+/// Compiled in pair.cpp for the complexes that are listed there.
+template <PairComplex C, Sizes S>
+std::vector<SurfacePair> pair_simplices(const Surface& surface, const SizedSide<C, S>& inside,
+                                        const SizedSide<C, S>& outside,
                                         const PairOptions& options = {});
 
 /// Triangles of K off M on one side: each piece of a face counts as the fan that it is cut into.
-std::uint64_t fan_triangle_count(const GridComplex& complex);
+template <PairComplex C>
+std::uint64_t fan_triangle_count(const C& complex);
 
 }  // namespace isoloop

@@ -26,12 +26,14 @@ namespace isoloop {
 /// complex. A piece that closes a cycle of larger ones is in no largest forest; one that is the
 /// largest on the border of a tree is in it. Whether it is can be told here unless both trees that
 /// it joins are bound: may have a larger piece on their border, one that leads out of these layers.
-template <Complex C>
+template <DualGraph C, PieceSizes S>
 class ForestOfLayers {
  public:
   /// `is_bound`: cells with pieces in the last layer.
-  ForestOfLayers(const C& complex, std::uint32_t begin, std::uint32_t end, const BitSet& is_bound)
+  ForestOfLayers(const C& complex, const S& sizes, std::uint32_t begin, std::uint32_t end,
+                 const BitSet& is_bound)
       : complex_(complex),
+        sizes_(sizes),
         begin_(begin),
         end_(end),
         first_(complex.first_cell(begin)),
@@ -54,7 +56,7 @@ class ForestOfLayers {
           end_of_own_ = std::min(end_of_own_, piece);
           if (!touches(piece)) return;
         }
-        if (const float size = complex_.size(piece); size > 0.0F)
+        if (const float size = sizes_.of_piece(piece); size > 0.0F)
           sized.push_back(order_key(size, piece));
         else
           unsized.push_back(piece);
@@ -104,6 +106,7 @@ class ForestOfLayers {
   }
 
   const C& complex_;
+  const S& sizes_;
   std::uint32_t begin_;  // layers
   std::uint32_t end_;
   std::uint32_t first_;  // cells
@@ -140,8 +143,8 @@ inline std::uint32_t number_trees(const BitSet& touched, std::span<const std::ui
 }
 
 /// Boruvka's rounds on what is left: `trees` as nodes, joined by the pieces in `open`.
-template <Complex C>
-void join_trees(const C& complex, std::span<const std::uint32_t> tree_of_cell,
+template <DualGraph C, PieceSizes S>
+void join_trees(const C& complex, const S& sizes, std::span<const std::uint32_t> tree_of_cell,
                 std::uint32_t tree_count, std::vector<std::vector<std::uint32_t>>& open,
                 BitSet& forest) {
   DisjointSets trees(tree_count);
@@ -158,7 +161,7 @@ void join_trees(const C& complex, std::span<const std::uint32_t> tree_of_cell,
     const std::uint32_t tree_a = trees.find_shared(tree_of_cell[a]);
     const std::uint32_t tree_b = trees.find_shared(tree_of_cell[b]);
     if (tree_a == tree_b) return false;
-    const std::uint64_t key = order_key(complex.size(piece), piece) + 1;  // 0 means none
+    const std::uint64_t key = order_key(sizes.of_piece(piece), piece) + 1;  // 0 means none
     raise(tree_a, key);
     raise(tree_b, key);
     return true;
@@ -209,8 +212,8 @@ inline std::uint64_t slab_bytes(std::uint64_t cells, std::uint32_t layers, std::
 /// of a few layers each, which walks through little memory and mostly in order, then Boruvka's
 /// rounds between what these come to (each tree takes the greatest piece on its border; Nesetril,
 /// Milkova, Nesetrilova, Discrete Mathematics 233, 2001).
-template <Complex C>
-BitSet largest_forest(const C& complex) {
+template <DualGraph C, PieceSizes S>
+BitSet largest_forest(const C& complex, const S& sizes) {
   const std::uint32_t layers = complex.layer_count();
   const std::uint32_t slab = layers_in_slab(layers, thread_count());
   BitSet forest(complex.piece_bound());
@@ -227,7 +230,8 @@ BitSet largest_forest(const C& complex) {
   UnsetVector<std::uint32_t> tree_of_cell(complex.cell_bound());
   tbb::parallel_for(std::uint32_t{0}, slabs, [&](std::uint32_t s) {
     const std::uint32_t end = std::min((s + 1) * slab, layers - 1);
-    open[s] = ForestOfLayers<C>(complex, s * slab, end, is_bound).grow(forest, tree_of_cell);
+    open[s] =
+        ForestOfLayers<C, S>(complex, sizes, s * slab, end, is_bound).grow(forest, tree_of_cell);
   });
   std::iota(tree_of_cell.begin() + ranges[slabs], tree_of_cell.end(), ranges[slabs]);
   // Most trees are single cells of the other side, which nothing touches.
@@ -238,7 +242,7 @@ BitSet largest_forest(const C& complex) {
         touched.insert_shared(tree_of_cell[cell]);
   });
   const std::uint32_t tree_count = number_trees(touched, ranges, tree_of_cell);
-  join_trees(complex, tree_of_cell, tree_count, open, forest);
+  join_trees(complex, sizes, tree_of_cell, tree_count, open, forest);
   return forest;
 }
 

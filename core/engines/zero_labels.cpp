@@ -355,21 +355,7 @@ BitSet zero_labels(const GridComplex& complex, const BitSet& forest) {
   }
   for (std::uint32_t piece = complex.edge_bound(); piece < complex.piece_bound(); ++piece)
     if (forest[piece]) known.insert(piece);
-  while (!todo.empty()) {
-    const std::uint32_t edge = todo.back();
-    todo.pop_back();
-    std::uint32_t last = 0;
-    int unknown = 0;
-    for (const std::uint32_t piece : complex.ring(edge))
-      if (!known[piece]) {
-        last = piece;
-        ++unknown;
-      }
-    if (unknown != 1) continue;
-    known.insert(last);
-    for (const std::uint32_t next : complex.edges_of(last)) todo.push_back(next);
-  }
-  return known;
+  return closed_by_rings(complex, std::move(known), std::move(todo));
 }
 
 }  // namespace isoloop

@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include "core/base/errors.h"
+#include "core/complex/grid_complex.h"
 #include "core/surface/surface_order.h"
 
 namespace isoloop {
@@ -27,7 +28,8 @@ struct Turn {
   }
 };
 
-bool any_label(const GridComplex& complex, const DualPass& pass, std::uint32_t grid_edge) {
+template <BesideSurface C>
+bool any_label(const C& complex, const DualPass& pass, std::uint32_t grid_edge) {
   const auto ring = complex.ring(grid_edge);
   return std::any_of(ring.begin(), ring.end(),
                      [&](std::uint32_t piece) { return pass.labels[piece] != 0; });
@@ -48,7 +50,7 @@ class ImportedLabels {
   }
 
   std::uint32_t of(std::uint32_t piece) const {
-    return piece == GridComplex::none ? 0 : number_[pass_.labels[piece]];
+    return piece == no_piece ? 0 : number_[pass_.labels[piece]];
   }
 
  private:
@@ -57,15 +59,17 @@ class ImportedLabels {
 };
 
 /// A side and its labels.
+template <BesideSurface C>
 struct LabelledSide {
-  const GridComplex& complex;
+  const C& complex;
   const DualPass& pass;
   ImportedLabels labels;
 };
 
 class Turns {
  public:
-  Turns(const Surface& surface, const std::array<LabelledSide, 2>& sides, LabelPool& pool)
+  template <BesideSurface C>
+  Turns(const Surface& surface, const std::array<LabelledSide<C>, 2>& sides, LabelPool& pool)
       : number_(surface.points.size(), no_turn) {
     tbb::parallel_for(std::size_t{0}, surface.grid_edges.size(), [&](std::size_t v) {
       const std::uint32_t edge = surface.grid_edges[v];
@@ -77,7 +81,7 @@ class Turns {
       if (number_[v] == no_turn) continue;
       number_[v] = static_cast<std::uint32_t>(turns_.size());
       Turn turn;
-      for (const LabelledSide& side : sides) {
+      for (const LabelledSide<C>& side : sides) {
         const auto ring = side.complex.cut_ring(surface.grid_edges[v]);
         turn.cubes = ring.cubes;
         std::uint32_t passed = 0;
@@ -102,16 +106,17 @@ class Turns {
 
 /// A triangle's corner beyond a wall is one turn farther: adds the wall's label to both edges
 /// there.
-void pass_walls(const Surface& surface, const LabelledSide& side, SurfaceClasses& classes) {
+template <BesideSurface C>
+void pass_walls(const Surface& surface, const LabelledSide<C>& side, SurfaceClasses& classes) {
   const auto& cubes = surface.triangle_cubes;
-  for (const GridComplex::Beyond& beyond : side.complex.beyond_walls()) {
+  for (const BeyondWall& beyond : side.complex.beyond_walls()) {
     const std::uint32_t label = side.labels.of(beyond.piece);
     if (label == 0) continue;
     const auto first = std::lower_bound(cubes.begin(), cubes.end(), beyond.cube) - cubes.begin();
-    const auto& corners = surface.triangles[static_cast<std::size_t>(first) + beyond.at.triangle];
-    for (const int i : {0, 2}) {
-      const std::uint32_t from = corners[(beyond.at.corner + i) % 3];
-      const std::uint32_t to = corners[(beyond.at.corner + i + 1) % 3];
+    const auto& corners = surface.triangles[static_cast<std::size_t>(first) + beyond.triangle];
+    for (const std::uint32_t i : {0U, 2U}) {
+      const std::uint32_t from = corners[(beyond.corner + i) % 3];
+      const std::uint32_t to = corners[(beyond.corner + i + 1) % 3];
       std::uint32_t& sum = classes.of_edge[edge_between(surface.graph, from, to)];
       sum = classes.pool.sum(sum, label);
     }
@@ -120,17 +125,17 @@ void pass_walls(const Surface& surface, const LabelledSide& side, SurfaceClasses
 
 }  // namespace
 
-SurfaceClasses surface_classes(const Surface& surface, const GridComplex& inside,
-                               const DualPass& inside_pass, const GridComplex& outside,
-                               const DualPass& outside_pass) {
+template <BesideSurface C>
+SurfaceClasses surface_classes(const Surface& surface, const C& inside, const DualPass& inside_pass,
+                               const C& outside, const DualPass& outside_pass) {
   SurfaceClasses classes;
   classes.inside_rank = static_cast<std::uint32_t>(inside_pass.killing.size());
   classes.outside_rank = static_cast<std::uint32_t>(outside_pass.killing.size());
   classes.of_edge.resize(surface.graph.lengths.size());
-  const std::array<LabelledSide, 2> sides{
-      LabelledSide{inside, inside_pass, ImportedLabels(inside_pass, 0, classes.pool)},
-      LabelledSide{outside, outside_pass,
-                   ImportedLabels(outside_pass, classes.inside_rank, classes.pool)}};
+  const std::array<LabelledSide<C>, 2> sides{
+      LabelledSide<C>{inside, inside_pass, ImportedLabels(inside_pass, 0, classes.pool)},
+      LabelledSide<C>{outside, outside_pass,
+                      ImportedLabels(outside_pass, classes.inside_rank, classes.pool)}};
   const Turns turns(surface, sides, classes.pool);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const auto& corners = surface.triangles[t];
@@ -142,9 +147,12 @@ SurfaceClasses surface_classes(const Surface& surface, const GridComplex& inside
       classes.of_edge[edge_between(surface.graph, corners[i], corners[(i + 1) % 3])] = label;
     }
   }
-  for (const LabelledSide& side : sides) pass_walls(surface, side, classes);
+  for (const LabelledSide<C>& side : sides) pass_walls(surface, side, classes);
   return classes;
 }
+
+template SurfaceClasses surface_classes(const Surface&, const GridComplex&, const DualPass&,
+                                        const GridComplex&, const DualPass&);
 
 SurfaceClasses surface_classes(const Surface& surface) {
   const SurfaceOrder order = order_surface(surface);

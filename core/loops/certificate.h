@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/complex/grid_complex.h"
+#include "core/complex/near_surface.h"
 #include "core/curves/curve.h"
 #include "core/engines/dual_pass.h"
 #include "core/surface/surface.h"
@@ -28,10 +28,11 @@ struct SurfaceClasses {
 SurfaceClasses surface_classes(const Surface& surface);
 
 /// Pushes M's edges off M to either side. At a vertex of M a walk turns round a grid edge from one
-/// cube to another; the labels of the pieces that it passes sum to its class.
-SurfaceClasses surface_classes(const Surface& surface, const GridComplex& inside,
-                               const DualPass& inside_pass, const GridComplex& outside,
-                               const DualPass& outside_pass);
+/// cube to another; the labels of the pieces that it passes sum to its class. Compiled in
+/// certificate.cpp for the complexes that are listed there.
+template <BesideSurface C>
+SurfaceClasses surface_classes(const Surface& surface, const C& inside, const DualPass& inside_pass,
+                               const C& outside, const DualPass& outside_pass);
 
 /// Class of a cycle of closed curves. Throws SelfCheckFailed where a curve leaves M's edges.
 GeneratorSet class_of(const Surface& surface, const SurfaceClasses& classes,

@@ -6,10 +6,13 @@
 #include <utility>
 
 #include "core/base/errors.h"
+#include "core/complex/flat_complex.h"
+#include "core/complex/grid_complex.h"
 
 namespace isoloop {
 
-KillingBorders killing_borders(const GridComplex& complex, const DualPass& pass) {
+template <MeetsSurface C>
+KillingBorders killing_borders(const C& complex, const DualPass& pass) {
   KillingBorders borders;
   borders.first.resize(pass.killing.size() + 1);
   const auto visit_all = [&](const auto& visit) {
@@ -27,6 +30,9 @@ KillingBorders killing_borders(const GridComplex& complex, const DualPass& pass)
   });
   return borders;
 }
+
+template KillingBorders killing_borders(const GridComplex&, const DualPass&);
+template KillingBorders killing_borders(const FlatComplex&, const DualPass&);
 
 Z2Basis border_classes(const Surface& surface, const SurfaceClasses& classes, Side side,
                        const KillingBorders& borders) {

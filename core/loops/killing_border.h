@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/complex/grid_complex.h"
+#include "core/complex/near_surface.h"
 #include "core/engines/dual_pass.h"
 #include "core/loops/certificate.h"
 #include "core/surface/surface.h"
@@ -26,7 +26,9 @@ struct KillingBorders {
   }
 };
 
-KillingBorders killing_borders(const GridComplex& complex, const DualPass& pass);
+/// Compiled in killing_border.cpp for the complexes that are listed there.
+template <MeetsSurface C>
+KillingBorders killing_borders(const C& complex, const DualPass& pass);
 
 /// The classes of the borders in the homology of the other side; vector i is border i, and they
 /// span all that bounds on this side. Coordinate i of a class in this basis says whether it closes

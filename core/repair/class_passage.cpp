@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <set>
 #include <utility>
+
+#include "core/base/potentials.h"
 
 namespace isoloop {
 namespace {
@@ -41,71 +42,28 @@ class SameVertices {
   Index3 shift_{};
 };
 
-/// Union-find over vertices that knows the classes, before and after, of a walk to the root.
-class WalkForest {
- public:
-  struct Classes {
-    std::uint32_t before = 0;  // numbers in the pools
-    std::uint32_t after = 0;
-    auto operator<=>(const Classes&) const = default;
-  };
-
-  WalkForest(std::size_t vertices, LabelPool before, LabelPool after)
-      : before_pool(std::move(before)),
-        after_pool(std::move(after)),
-        parent_(vertices),
-        walk_(vertices) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-  }
-
-  /// Adds an edge; the classes of the walk that it closes, 0 if it joins two trees.
-  Classes join(std::uint32_t a, std::uint32_t b, const Classes& step) {
-    const std::uint32_t root_a = hang(a);
-    const std::uint32_t root_b = hang(b);
-    const Classes between =
-        sum(sum(root_a == a ? Classes{} : walk_[a], root_b == b ? Classes{} : walk_[b]), step);
-    if (root_a == root_b) return between;
-    const auto [low, high] = std::minmax(root_a, root_b);
-    parent_[high] = low;
-    walk_[high] = between;
-    return {};
-  }
-
-  LabelPool before_pool;
-  LabelPool after_pool;
-
- private:
-  Classes sum(const Classes& a, const Classes& b) {
-    return {before_pool.sum(a.before, b.before), after_pool.sum(a.after, b.after)};
-  }
-
-  /// Hangs the vertex on its root.
-  std::uint32_t hang(std::uint32_t vertex) {
-    path_.clear();
-    while (parent_[vertex] != vertex) {
-      path_.push_back(vertex);
-      vertex = parent_[vertex];
-    }
-    if (path_.empty()) return vertex;
-    Classes walk = walk_[path_.back()];
-    for (std::size_t i = path_.size() - 1; i-- > 0;) {
-      walk = sum(walk, walk_[path_[i]]);
-      walk_[path_[i]] = walk;
-      parent_[path_[i]] = vertex;
-    }
-    return vertex;
-  }
-
-  std::vector<std::uint32_t> parent_;
-  std::vector<Classes> walk_;  // to the parent
-  std::vector<std::uint32_t> path_;
+/// The classes of a walk before and after, as numbers in the pools of a SumOfClasses.
+struct WalkClasses {
+  std::uint32_t before = 0;
+  std::uint32_t after = 0;
+  auto operator<=>(const WalkClasses&) const = default;
 };
 
+struct SumOfClasses {
+  LabelPool before;
+  LabelPool after;
+
+  WalkClasses operator()(const WalkClasses& a, const WalkClasses& b) {
+    return {before.sum(a.before, b.before), after.sum(a.after, b.after)};
+  }
+};
+
+using WalkForest = Potentials<WalkClasses, SumOfClasses>;  // over the vertices before
+
 /// The classes before and after of closed walks that generate all common ones.
-std::set<WalkForest::Classes> common_walks(WalkForest& forest, const Workings& before,
-                                           const Workings& after,
-                                           const std::vector<bool>& changed) {
-  std::set<WalkForest::Classes> found;
+std::set<WalkClasses> common_walks(WalkForest& forest, const Workings& before,
+                                   const Workings& after, const std::vector<bool>& changed) {
+  std::set<WalkClasses> found;
   const Surface& surface = before.analysis.surface;
   const Lattice& lattice = before.sides->lattice;
   const SameVertices same(before, after);
@@ -129,8 +87,8 @@ std::set<WalkForest::Classes> common_walks(WalkForest& forest, const Workings& b
       const std::uint32_t a = corners[i];
       const std::uint32_t b = corners[(i + 1) % 3];
       const std::uint32_t step = before.classes.of_edge[edge_between(surface.graph, a, b)];
-      const WalkForest::Classes closed = forest.join(a, b, {step, step_after(a, b)});
-      if (closed != WalkForest::Classes{}) found.insert(closed);
+      const WalkClasses closed = forest.join(a, b, {step, step_after(a, b)});
+      if (closed != WalkClasses{}) found.insert(closed);
     }
   }
   return found;
@@ -150,11 +108,12 @@ ClassPassage::ClassPassage(const Workings& before, const Workings& after,
       after_inside_(after.classes.inside_rank),
       after_rank_(after.classes.inside_rank + after.classes.outside_rank),
       removed_(removed.size()) {
-  WalkForest forest(before.analysis.surface.points.size(), before.classes.pool, after.classes.pool);
+  WalkForest forest(SumOfClasses{before.classes.pool, after.classes.pool});
+  for (std::size_t v = 0; v < before.analysis.surface.points.size(); ++v) forest.add();
   const auto walks = common_walks(forest, before, after, changed);
   for (const GeneratorSet& cycle : removed) add(rows_, {cycle, {}});
-  for (const WalkForest::Classes& walk : walks)
-    add(rows_, {set_of(forest.before_pool, walk.before), set_of(forest.after_pool, walk.after)});
+  for (const WalkClasses& walk : walks)
+    add(rows_, {set_of(forest.sum.before, walk.before), set_of(forest.sum.after, walk.after)});
 }
 
 void ClassPassage::reduce(const Rows& rows, Row& row) {

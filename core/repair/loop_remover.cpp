@@ -84,8 +84,8 @@ LoopRemover::LoopRemover(const Workings& workings, const IsoLevel& level, VoxelV
   }
 }
 
-MembraneFinder& LoopRemover::finder(Side side) {
-  std::optional<MembraneFinder>& made = side == Side::inside ? inside_ : outside_;
+MembraneFinder<GridComplex>& LoopRemover::finder(Side side) {
+  std::optional<MembraneFinder<GridComplex>>& made = side == Side::inside ? inside_ : outside_;
   if (!made) {
     const WorkedSide& worked = workings_.on(side);
     made.emplace(*workings_.sides, *worked.complex, worked.pass);

@@ -9,6 +9,7 @@
 
 #include "core/analysis/analysis.h"
 #include "core/base/memory_budget.h"
+#include "core/complex/grid_complex.h"
 #include "core/grid/grid.h"
 #include "core/loops/loops.h"
 #include "core/repair/membrane.h"
@@ -67,7 +68,7 @@ class LoopRemover {
   void apply(const std::vector<VoxelChange>& change);
 
  private:
-  MembraneFinder& finder(Side side);
+  MembraneFinder<GridComplex>& finder(Side side);
   std::vector<std::uint32_t> reaches_for(double steps) const;
   std::optional<std::vector<VoxelChange>> thin_change(Side side, const MembraneQuery& query,
                                                       std::vector<std::uint32_t> reaches);
@@ -94,8 +95,8 @@ class LoopRemover {
   Betti betti_;
   std::vector<bool> changed_;  // by lattice vertex: to the other side, by apply()
   std::vector<bool> fixed_;    // by lattice vertex: no voxel of the grid
-  std::optional<MembraneFinder> inside_;
-  std::optional<MembraneFinder> outside_;
+  std::optional<MembraneFinder<GridComplex>> inside_;
+  std::optional<MembraneFinder<GridComplex>> outside_;
 };
 
 }  // namespace isoloop

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "core/complex/grid_complex.h"
 #include "core/repair/membrane_search.h"
 
 namespace isoloop {
+template <HoldsVoxels C>
 
-MembraneFinder::MembraneFinder(const Sides& sides, const GridComplex& complex, const DualPass& pass)
+MembraneFinder<C>::MembraneFinder(const Sides& sides, const C& complex, const DualPass& pass)
     : sides_(sides),
       complex_(complex),
       pass_(pass),
@@ -15,7 +17,8 @@ MembraneFinder::MembraneFinder(const Sides& sides, const GridComplex& complex, c
       node_of_vertex_(sides.lattice.vertex_count(), none),
       node_of_cell_(complex.cell_bound(), none) {}
 
-void MembraneFinder::mark_odd_pieces(std::span<const std::uint32_t> crossing) {
+template <HoldsVoxels C>
+void MembraneFinder<C>::mark_odd_pieces(std::span<const std::uint32_t> crossing) {
   const GeneratorSet asked(crossing.begin(), crossing.end());
   if (asked == crossing_) return;
   crossing_ = asked;
@@ -37,7 +40,8 @@ void MembraneFinder::mark_odd_pieces(std::span<const std::uint32_t> crossing) {
   std::sort(odd_corners_.begin(), odd_corners_.end());
 }
 
-std::optional<bool> MembraneFinder::thin(
+template <HoldsVoxels C>
+std::optional<bool> MembraneFinder<C>::thin(
     const MembraneQuery& query, const MembraneSearch& search,
     const std::function<bool(const std::vector<std::uint32_t>&)>& use) {
   mark_odd_pieces(query.crossing);
@@ -53,10 +57,11 @@ std::optional<bool> MembraneFinder::thin(
 
 /// What `start` reaches without meeting vertices seen in round `first_round`; empty if that is more
 /// than `most` vertices, leads out of the box, or meets what a round since then did not finish.
-std::vector<std::uint32_t> MembraneFinder::part_beside(const MembraneQuery& query,
-                                                       std::uint32_t start,
-                                                       std::uint32_t first_round,
-                                                       std::size_t most) {
+template <HoldsVoxels C>
+std::vector<std::uint32_t> MembraneFinder<C>::part_beside(const MembraneQuery& query,
+                                                          std::uint32_t start,
+                                                          std::uint32_t first_round,
+                                                          std::size_t most) {
   const MembraneSearch anywhere{};
   const Search side(*this, query, anywhere);
   const std::uint32_t round = ++rounds_;
@@ -64,7 +69,7 @@ std::vector<std::uint32_t> MembraneFinder::part_beside(const MembraneQuery& quer
   seen_[start] = round;
   bool is_whole = true;
   for (std::size_t i = 0; i < part.size() && is_whole; ++i)
-    side.for_each_cell(part[i], [&](const Search::Incidence& at) {
+    side.for_each_cell(part[i], [&](const typename Search::Incidence& at) {
       if (at.cube == none) {
         is_whole = false;
         return;
@@ -81,9 +86,10 @@ std::vector<std::uint32_t> MembraneFinder::part_beside(const MembraneQuery& quer
   return part;
 }
 
-std::vector<std::uint32_t> MembraneFinder::with_severed(const MembraneQuery& query,
-                                                        const std::vector<std::uint32_t>& set,
-                                                        std::size_t most) {
+template <HoldsVoxels C>
+std::vector<std::uint32_t> MembraneFinder<C>::with_severed(const MembraneQuery& query,
+                                                           const std::vector<std::uint32_t>& set,
+                                                           std::size_t most) {
   const std::uint32_t first_round = ++rounds_;
   for (const std::uint32_t vertex : set) seen_[vertex] = first_round;
   const MembraneSearch anywhere{};
@@ -91,7 +97,7 @@ std::vector<std::uint32_t> MembraneFinder::with_severed(const MembraneQuery& que
   std::vector<std::vector<std::uint32_t>> parts;
   bool has_larger = false;
   for (const std::uint32_t vertex : set)
-    side.for_each_cell(vertex, [&](const Search::Incidence& at) {
+    side.for_each_cell(vertex, [&](const typename Search::Incidence& at) {
       if (at.cube == none) return;
       side.for_each_corner(at, [&](std::uint32_t corner) {
         if (seen_[corner] >= first_round) return;
@@ -110,12 +116,15 @@ std::vector<std::uint32_t> MembraneFinder::with_severed(const MembraneQuery& que
   return all;
 }
 
-std::vector<std::uint32_t> MembraneFinder::spanned(const MembraneQuery& query) {
+template <HoldsVoxels C>
+std::vector<std::uint32_t> MembraneFinder<C>::spanned(const MembraneQuery& query) {
   mark_odd_pieces(query.crossing);
   std::vector<std::uint32_t> vertices;
   for (const std::uint32_t vertex : odd_corners_)
     if (!query.gone[vertex] && !query.fixed[vertex]) vertices.push_back(vertex);
   return vertices;
 }
+
+template class MembraneFinder<GridComplex>;
 
 }  // namespace isoloop

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/complex/grid_complex.h"
+#include "core/complex/near_surface.h"
 #include "core/cube/sides.h"
 #include "core/engines/dual_pass.h"
 #include "core/z2/label.h"
@@ -38,10 +38,12 @@ struct MembraneSearch {
 /// membrane it lies. A least vertex cut between them meets every odd walk: cells cannot be cut. So
 /// no two vertices of one cell end up on different sides of it, and no ambiguous face or interior
 /// tunnel can join what it parts, whatever the values of its vertices become.
+/// Compiled in membrane.cpp and membrane_search.cpp for the complexes that are listed there.
+template <HoldsVoxels C>
 class MembraneFinder {
  public:
   /// Keeps references: all must outlive it.
-  MembraneFinder(const Sides& sides, const GridComplex& complex, const DualPass& pass);
+  MembraneFinder(const Sides& sides, const C& complex, const DualPass& pass);
 
   /// Passes use() the least set that is nearest to one of its two sides, then, unless that returned
   /// true, the one nearest to the other; each ascending, and left out where no set will do. Whether
@@ -73,7 +75,7 @@ class MembraneFinder {
   }
 
   const Sides& sides_;
-  const GridComplex& complex_;
+  const C& complex_;
   const DualPass& pass_;
   GeneratorSet crossing_;                   // that the three below are for
   std::vector<char> odd_label_;             // by label

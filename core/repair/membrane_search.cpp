@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/disjoint_sets.h"
+#include "core/complex/grid_complex.h"
 #include "core/repair/vertex_cut.h"
 
 namespace isoloop {
@@ -18,7 +19,8 @@ constexpr std::size_t most_turns = 3;  // groups of parts that are tried either 
 }  // namespace
 
 /// The ends of the loop's grid edges on this side, or on the other.
-std::vector<std::uint32_t> MembraneFinder::Search::ends(bool on_this_side) const {
+template <HoldsVoxels C>
+std::vector<std::uint32_t> MembraneFinder<C>::Search::ends(bool on_this_side) const {
   std::vector<std::uint32_t> vertices;
   for (const std::uint32_t edge : query.edges) {
     const std::uint32_t low = edge / 3;
@@ -32,7 +34,8 @@ std::vector<std::uint32_t> MembraneFinder::Search::ends(bool on_this_side) const
 }
 
 /// Whether all walks through `vertex` within N would stay even.
-bool MembraneFinder::Search::may_be_near(std::uint32_t vertex) {
+template <HoldsVoxels C>
+bool MembraneFinder<C>::Search::may_be_near(std::uint32_t vertex) {
   if (finder.is_on_border(vertex)) return false;
   std::array<std::pair<Parities::Place, bool>, 8> met{};
   std::size_t count = 0;
@@ -41,7 +44,7 @@ bool MembraneFinder::Search::may_be_near(std::uint32_t vertex) {
     const std::uint32_t node = finder.node_of_cell_[at.cell];
     if (node == none) return;
     const Parities::Place place = parities.find(node);
-    const bool odd = place.odd ^ at.odd;
+    const bool odd = (place.value ^ char{at.odd}) != 0;
     for (std::size_t i = 0; i < count; ++i)
       if (met[i].first.root == place.root && met[i].second != odd) even = false;
     met[count++] = {place, odd};
@@ -49,19 +52,21 @@ bool MembraneFinder::Search::may_be_near(std::uint32_t vertex) {
   return even;
 }
 
-void MembraneFinder::Search::take(std::uint32_t vertex) {
+template <HoldsVoxels C>
+void MembraneFinder<C>::Search::take(std::uint32_t vertex) {
   const std::uint32_t node = node_of(vertex, true);
   nodes[node].is_near = true;
   near.push_back(vertex);
   for_each_cell(vertex, [&](const Incidence& at) {
     const std::uint32_t cell = node_of(at.cell, false);
     nodes[cell].is_near = true;
-    parities.unite(node, cell, at.odd);
+    parities.join(node, cell, char{at.odd});
   });
 }
 
 /// N, and where it meets the rest; false if there is none.
-bool MembraneFinder::Search::collect_near() {
+template <HoldsVoxels C>
+bool MembraneFinder<C>::Search::collect_near() {
   std::vector<std::uint32_t> front;
   std::vector<std::uint32_t> next;
   std::vector<std::uint32_t> left_out;
@@ -99,13 +104,14 @@ bool MembraneFinder::Search::collect_near() {
 }
 
 /// Joins `vertex` to the cells of the rest round it; false if that closes an odd walk.
-bool MembraneFinder::Search::expand(std::uint32_t vertex, std::vector<std::uint32_t>& next) {
+template <HoldsVoxels C>
+bool MembraneFinder<C>::Search::expand(std::uint32_t vertex, std::vector<std::uint32_t>& next) {
   const std::uint32_t node = node_of(vertex, true);
   bool even = true;
   for_each_cell(vertex, [&](const Incidence& at) {
     if (is_near_cell(at.cell)) return;
     const bool is_new = finder.node_of_cell_[at.cell] == none;
-    even = parities.unite(node, node_of(at.cell, false), at.odd) && even;
+    even = parities.join(node, node_of(at.cell, false), char{at.odd}) == 0 && even;
     if (!is_new) return;
     const auto push = [&](std::uint32_t corner) {
       if (finder.node_of_vertex_[corner] != none) return;
@@ -124,7 +130,8 @@ bool MembraneFinder::Search::expand(std::uint32_t vertex, std::vector<std::uint3
 
 /// Potentials on the rest, as far as it takes to join all its parts that meet N; false if the rest
 /// has an odd walk, or meets N from one side only.
-bool MembraneFinder::Search::explore_rest() {
+template <HoldsVoxels C>
+bool MembraneFinder<C>::Search::explore_rest() {
   std::vector<std::uint32_t> front;
   for (const Meeting& meeting : meetings)
     if (finder.node_of_vertex_[meeting.vertex] == none) {
@@ -139,8 +146,7 @@ bool MembraneFinder::Search::explore_rest() {
     std::vector<std::pair<std::uint32_t, unsigned>> met;
     for (const Meeting& meeting : meetings) {
       const Parities::Place at = parities.find(finder.node_of_vertex_[meeting.vertex]);
-      const Parities::Place cell = parities.find(finder.node_of_cell_[meeting.cell]);
-      met.emplace_back(at.root, (at.odd ^ cell.odd ^ meeting.odd) ? 2U : 1U);
+      met.emplace_back(at.root, is_second(meeting) ? 2U : 1U);
     }
     std::sort(met.begin(), met.end());
     std::vector<std::pair<std::uint32_t, unsigned>> merged;
@@ -171,13 +177,15 @@ bool MembraneFinder::Search::explore_rest() {
 }
 
 /// On which of the two sides of its part of the rest the cell lies.
-bool MembraneFinder::Search::is_second(const Meeting& meeting) {
-  return parities.find(finder.node_of_vertex_[meeting.vertex]).odd ^
-         parities.find(finder.node_of_cell_[meeting.cell]).odd ^ meeting.odd;
+template <HoldsVoxels C>
+bool MembraneFinder<C>::Search::is_second(const Meeting& meeting) {
+  return (parities.find(finder.node_of_vertex_[meeting.vertex]).value ^
+          parities.find(finder.node_of_cell_[meeting.cell]).value ^ char{meeting.odd}) != 0;
 }
 
 /// Its place in `parts`, or their count if it meets N from one side only.
-std::uint32_t MembraneFinder::Search::part_at(const Meeting& meeting) {
+template <HoldsVoxels C>
+std::uint32_t MembraneFinder<C>::Search::part_at(const Meeting& meeting) {
   const std::uint32_t root = parities.find(finder.node_of_vertex_[meeting.vertex]).root;
   const auto at =
       std::lower_bound(parts.begin(), parts.end(), root,
@@ -190,7 +198,8 @@ std::uint32_t MembraneFinder::Search::part_at(const Meeting& meeting) {
 /// round to itself hundreds of vertices are parts of their own, all along one seam. Two parts
 /// beside one cell match if the cell is on the first side of both; those that share most cells are
 /// matched first.
-void MembraneFinder::Search::group_parts() {
+template <HoldsVoxels C>
+void MembraneFinder<C>::Search::group_parts() {
   struct Sight {  // of a cell from a part
     std::uint32_t cell;
     std::uint32_t part;
@@ -216,12 +225,12 @@ void MembraneFinder::Search::group_parts() {
   Parities matched;
   for (std::size_t part = 0; part < parts.size(); ++part) matched.add();
   for (const auto& [pair, weight] : order)
-    if (weight != 0) matched.unite(pair[0], pair[1], weight < 0);
+    if (weight != 0) matched.join(pair[0], pair[1], char{weight < 0});
   std::map<std::uint32_t, std::size_t> sizes;  // by group: sights
   for (std::uint32_t part = 0; part < parts.size(); ++part) {
     const Parities::Place at = matched.find(part);
     parts[part].group = at.root;
-    parts[part].turned = at.odd;
+    parts[part].turned = at.value != 0;
   }
   for (const Sight& sight : sights) ++sizes[parts[sight.part].group];
   groups.clear();
@@ -232,7 +241,8 @@ void MembraneFinder::Search::group_parts() {
 
 /// Connected parts of the other side beside N that do not touch the loop: for each the vertices of
 /// N that share a cube with it.
-std::vector<std::vector<std::uint32_t>> MembraneFinder::Search::islands() const {
+template <HoldsVoxels C>
+std::vector<std::vector<std::uint32_t>> MembraneFinder<C>::Search::islands() const {
   const Lattice& lattice = finder.sides_.lattice;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> beside;  // other side's vertex, of N
   for (const std::uint32_t vertex : near) {
@@ -271,8 +281,9 @@ std::vector<std::vector<std::uint32_t>> MembraneFinder::Search::islands() const 
 }
 
 /// `turned`: bit i swaps the sides of group i + 1 of the rest's parts.
-std::optional<std::vector<std::uint32_t>> MembraneFinder::Search::cut(unsigned turned,
-                                                                      bool from_far_side) {
+template <HoldsVoxels C>
+std::optional<std::vector<std::uint32_t>> MembraneFinder<C>::Search::cut(unsigned turned,
+                                                                         bool from_far_side) {
   CutNetwork network;
   std::vector<std::uint32_t> vertex_of(2, none);  // by node of the network
   std::vector<std::uint32_t> number(nodes.size(), none);
@@ -334,7 +345,8 @@ std::optional<std::vector<std::uint32_t>> MembraneFinder::Search::cut(unsigned t
   return vertices;
 }
 
-std::optional<std::vector<std::uint32_t>> MembraneFinder::Search::best_cut(bool from_far_side) {
+template <HoldsVoxels C>
+std::optional<std::vector<std::uint32_t>> MembraneFinder<C>::Search::best_cut(bool from_far_side) {
   const std::size_t turns = std::min(groups.size() - 1, most_turns);
   std::optional<std::vector<std::uint32_t>> best;
   for (unsigned turned = 0; turned < 1U << turns; ++turned) {
@@ -343,5 +355,7 @@ std::optional<std::vector<std::uint32_t>> MembraneFinder::Search::best_cut(bool 
   }
   return best;
 }
+
+template struct MembraneFinder<GridComplex>::Search;
 
 }  // namespace isoloop

@@ -4,16 +4,21 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
+#include "core/base/potentials.h"
 #include "core/repair/membrane.h"
-#include "core/repair/parities.h"
 
 namespace isoloop {
 
+/// Whether members differ by even or odd classes.
+using Parities = Potentials<char, std::bit_xor<>>;
+
 /// Its nodes are the vertices and cells that it meets.
-struct MembraneFinder::Search {
+template <HoldsVoxels C>
+struct MembraneFinder<C>::Search {
   struct Incidence {
     std::uint32_t cube;
     std::uint32_t cell;
@@ -71,7 +76,7 @@ struct MembraneFinder::Search {
   template <class Visit>
   void for_each_cell(std::uint32_t vertex, const Visit& visit) const {
     const Lattice& lattice = finder.sides_.lattice;
-    const GridComplex& complex = finder.complex_;
+    const C& complex = finder.complex_;
     const auto& stride = lattice.stride;
     unsigned first = 0;       // axes along which the first cube lies before the vertex
     unsigned can_toggle = 7;  // axes along which there is a cube on either side

@@ -36,7 +36,7 @@ bool RepairRound::is_left(const LoopSite& site) const {
       return false;
     }
   }
-  return same_kind.add(site.other);
+  return same_kind.add(site.other).has_value();
 }
 
 bool RepairRound::remove(const Target& target, bool cheaper) {

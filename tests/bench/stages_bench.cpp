@@ -9,6 +9,7 @@
 
 #include "core/analysis/analysis.h"
 #include "core/complex/grid_complex.h"
+#include "core/complex/grid_sizes.h"
 #include "core/cube/sides.h"
 #include "core/engines/dual_pass.h"
 #include "core/sizes/closest.h"
@@ -56,8 +57,10 @@ void run_sizes(const Prepared& p) {
 }
 
 void run_pass(const Prepared& p) {
-  for (const Side side : {Side::inside, Side::outside})
-    benchmark::DoNotOptimize(dual_pass(GridComplex(p.sides, p.edges, p.sizes, side)));
+  for (const Side side : {Side::inside, Side::outside}) {
+    const GridComplex complex(p.sides, p.edges, side);
+    benchmark::DoNotOptimize(dual_pass(complex, GridSizes(complex, p.edges, p.sizes)));
+  }
 }
 
 void run_count(const Prepared& p) {

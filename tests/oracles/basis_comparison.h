@@ -19,8 +19,8 @@ namespace isoloop::testing {
 struct WithLoops {
   explicit WithLoops(const SmallVolume& volume, GeodesicMode mode = GeodesicMode::hierarchy)
       : prepared(volume, mode),
-        inside(dual_pass(*prepared.inside)),
-        outside(dual_pass(*prepared.outside)),
+        inside(prepared.pass_on(Side::inside)),
+        outside(prepared.pass_on(Side::outside)),
         classes(surface_classes(prepared.surface, *prepared.inside, inside, *prepared.outside,
                                 outside)),
         inside_borders(killing_borders(*prepared.inside, inside)),

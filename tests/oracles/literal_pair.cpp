@@ -27,13 +27,14 @@ class Literal {
   Literal(const Prepared& prepared, Side side, Refinement refinement)
       : prepared_(prepared),
         complex_(prepared.complex(side)),
+        sizes_(prepared.sizes_on(side)),
         side_(side),
         by_size_(refinement == Refinement::second || refinement == Refinement::both),
         shortest_cycle_(refinement == Refinement::first || refinement == Refinement::both),
         order_(order_surface(prepared.surface)) {}
 
   std::vector<LiteralPair> run() {
-    std::vector<std::uint32_t> pieces = complex_.pieces();
+    std::vector<std::uint32_t> pieces = all_pieces(complex_);
     std::sort(pieces.begin(), pieces.end(), [&](std::uint32_t a, std::uint32_t b) {
       return std::pair(size(a), a) < std::pair(size(b), b);
     });
@@ -56,7 +57,7 @@ class Literal {
   }
 
  private:
-  float size(std::uint32_t piece) const { return by_size_ ? complex_.size(piece) : 0.0F; }
+  float size(std::uint32_t piece) const { return by_size_ ? sizes_.of_piece(piece) : 0.0F; }
 
   static Key key_on_surface(std::uint32_t row) { return {false, 0.0F, false, row, 0}; }
 
@@ -67,7 +68,7 @@ class Literal {
   std::vector<BorderEdge> border(std::uint32_t piece) const {
     std::vector<BorderEdge> edges;
     for (const std::uint32_t edge : complex_.edges_of(piece)) {
-      const float length = by_size_ ? complex_.edge_size(edge) : 0.0F;
+      const float length = by_size_ ? sizes_.of_edge(edge) : 0.0F;
       std::array<Node, 2> ends{};
       for (std::uint32_t i = 0; i < 2; ++i) {
         const std::uint32_t vertex = edge / 3 + i * prepared_.sides.lattice.stride[edge % 3];
@@ -141,6 +142,7 @@ class Literal {
 
   const Prepared& prepared_;
   const GridComplex& complex_;
+  GridSizes sizes_;
   Side side_;
   bool by_size_;
   bool shortest_cycle_;

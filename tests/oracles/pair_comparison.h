@@ -24,15 +24,20 @@ inline std::vector<std::uint32_t> killing_pieces(const DualPass& pass) {
   return pieces;
 }
 
+inline std::vector<SurfacePair> pairs_of(const Prepared& prepared, Refinement refinement) {
+  return pair_simplices(
+      prepared.surface, SizedSide{*prepared.inside, prepared.sizes_on(Side::inside)},
+      SizedSide{*prepared.outside, prepared.sizes_on(Side::outside)}, {refinement});
+}
+
 /// What differs between the killing pieces of PAIR and those of the dual pass, under the order by
 /// size; empty if nothing does. Adds the number of killing pieces to `compared`.
 template <class Count>
 std::string difference_of_engines(const Prepared& prepared, Count& compared) {
   if (prepared.surface.points.empty()) return "";
-  const std::vector<SurfacePair> pairs =
-      pair_simplices(prepared.surface, *prepared.inside, *prepared.outside);
+  const std::vector<SurfacePair> pairs = pairs_of(prepared, Refinement::both);
   for (const Side side : {Side::inside, Side::outside}) {
-    const std::vector<std::uint32_t> expected = killing_pieces(dual_pass(prepared.complex(side)));
+    const std::vector<std::uint32_t> expected = killing_pieces(prepared.pass_on(side));
     if (killing_pieces(pairs, side) != expected)
       return side == Side::inside ? "the pieces inside differ" : "the pieces outside differ";
     compared += expected.size();

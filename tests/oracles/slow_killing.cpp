@@ -48,20 +48,20 @@ struct Entry {
   int face = 0;
 };
 
-std::vector<Entry> entries_of(const GridComplex& complex, const ExplicitComplex& slow) {
+std::vector<Entry> entries_of(const GridComplex& complex, const GridSizes& sizes,
+                              const ExplicitComplex& slow) {
   const std::map<FaceKey, int> faces = faces_off_surface(slow, complex.side());
   std::map<std::uint32_t, std::uint32_t> cube_of_wall;
-  for (const GridComplex::Beyond& beyond : complex.beyond_walls())
-    cube_of_wall[beyond.piece] = beyond.cube;
+  for (const BeyondWall& beyond : complex.beyond_walls()) cube_of_wall[beyond.piece] = beyond.cube;
   std::vector<Entry> entries;
-  for (const std::uint32_t piece : complex.pieces()) {
+  for (const std::uint32_t piece : all_pieces(complex)) {
     const auto edges = complex.edges_of(piece);
     FaceKey key{place_of(complex.side()), {edges.begin(), edges.end()}};
     const auto wall = cube_of_wall.find(piece);
     if (wall != cube_of_wall.end()) key.cube_of_wall = wall->second;
     const auto found = faces.find(key);
     if (found == faces.end()) throw std::logic_error("the oracle lacks a piece");
-    entries.push_back({complex.size(piece), {complex.side(), piece}, found->second});
+    entries.push_back({sizes.of_piece(piece), {complex.side(), piece}, found->second});
   }
   if (entries.size() != faces.size()) throw std::logic_error("the pieces differ in number");
   return entries;
@@ -69,11 +69,36 @@ std::vector<Entry> entries_of(const GridComplex& complex, const ExplicitComplex&
 
 }  // namespace
 
+WrittenSide written_side(const Prepared& prepared, const ExplicitComplex& slow, Side side) {
+  const auto beyond = static_cast<std::uint32_t>(slow.solids.size());
+  std::map<int, std::vector<std::uint32_t>> cells;  // by face
+  for (std::uint32_t solid = 0; solid < beyond; ++solid)
+    for (const int face : slow.solids[solid].boundary) cells[face].push_back(solid);
+  std::vector<FlatPiece> flat;
+  FlatSizes sizes;
+  std::vector<SidedPiece> pieces;
+  for (const Entry& entry : entries_of(prepared.complex(side), prepared.sizes_on(side), slow)) {
+    FlatPiece& piece = flat.emplace_back();
+    // On the border of the box the other cell lies beyond. A wall has the same one on both sides,
+    // and which it is does not matter.
+    cells[entry.face].resize(2, beyond);
+    piece.cells = {cells[entry.face][0], cells[entry.face][1]};
+    for (const int edge : slow.faces[static_cast<std::size_t>(entry.face)].boundary)
+      if (slow.edges[static_cast<std::size_t>(edge)].place == place_of(side))
+        piece.edges.push_back(static_cast<std::uint32_t>(edge));
+    sizes.by_piece.push_back(entry.size);
+    pieces.push_back(entry.piece);
+  }
+  const auto edges = static_cast<std::uint32_t>(slow.edges.size());
+  return {FlatComplex(beyond + 1, edges, flat), std::move(sizes), std::move(pieces)};
+}
+
 std::vector<SidedPiece> slow_killing_pieces(const Prepared& prepared, const ExplicitComplex& slow,
                                             std::span<const Side> sides) {
   std::vector<Entry> entries;
   for (const Side side : sides) {
-    const std::vector<Entry> more = entries_of(prepared.complex(side), slow);
+    const std::vector<Entry> more =
+        entries_of(prepared.complex(side), prepared.sizes_on(side), slow);
     entries.insert(entries.end(), more.begin(), more.end());
   }
   std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/complex/grid_complex.h"
+#include "core/complex/grid_sizes.h"
 #include "core/cube/sides.h"
 #include "core/engines/dual_pass.h"
 #include "core/sizes/closest.h"
@@ -45,13 +46,15 @@ struct Prepared {
     if (surface.points.empty()) return;
     closest = closest_surface_vertices(sides, edges, surface);
     sizes = geodesic_sizes(sides, edges, surface, closest, mode);
-    inside = std::make_unique<GridComplex>(sides, edges, sizes, Side::inside);
-    outside = std::make_unique<GridComplex>(sides, edges, sizes, Side::outside);
+    inside = std::make_unique<GridComplex>(sides, edges, Side::inside);
+    outside = std::make_unique<GridComplex>(sides, edges, Side::outside);
   }
   Prepared(const Prepared&) = delete;
   Prepared& operator=(const Prepared&) = delete;
 
   const GridComplex& complex(Side side) const { return side == Side::inside ? *inside : *outside; }
+  GridSizes sizes_on(Side side) const { return {complex(side), edges, sizes}; }
+  DualPass pass_on(Side side) const { return dual_pass(complex(side), sizes_on(side)); }
 
   SmallVolume volume;
   Sides sides;

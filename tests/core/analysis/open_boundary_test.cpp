@@ -185,13 +185,12 @@ std::string compare_with_oracle(const SmallVolume& volume, std::atomic<std::size
   constexpr std::array both{Side::inside, Side::outside};
   std::vector<SidedPiece> expected = testing::slow_killing_pieces(prepared, slow, both);
   std::vector<SidedPiece> by_pair;
-  for (const SurfacePair& pair :
-       pair_simplices(prepared.surface, *prepared.inside, *prepared.outside))
+  for (const SurfacePair& pair : testing::pairs_of(prepared, Refinement::both))
     by_pair.push_back({pair.side, pair.piece});
   if (by_pair != expected) return "PAIR's killing pieces differ";
   std::vector<SidedPiece> by_dual;
   for (const Side side : both) {
-    const DualPass pass = dual_pass(prepared.complex(side));
+    const DualPass pass = prepared.pass_on(side);
     if (!labels_are_consistent(prepared.complex(side), pass)) return "the labels are no cocycle";
     for (const KillingPiece& killing : pass.killing) by_dual.push_back({side, killing.piece});
   }
@@ -249,8 +248,8 @@ TEST(OpenBoundary, KillingPiecesAreThoseOfAClosedSurfaceThatNeverMeetsTheBorder)
     ASSERT_TRUE(open.surface.border_edges.empty());
     EXPECT_EQ(open.surface.betti1(), 2 * closed.surface.genus());
     for (const Side side : {Side::inside, Side::outside})
-      EXPECT_EQ(testing::killing_pieces(dual_pass(open.complex(side))),
-                testing::killing_pieces(dual_pass(closed.complex(side))));
+      EXPECT_EQ(testing::killing_pieces(open.pass_on(side)),
+                testing::killing_pieces(closed.pass_on(side)));
   }
 }
 

@@ -24,12 +24,12 @@ TEST(GridComplex, RingsAndBordersAreEachOthersTranspose) {
     for (const Side side : {Side::inside, Side::outside}) {
       const GridComplex& complex = p.complex(side);
       std::size_t incidences = 0;
-      for (const std::uint32_t piece : complex.pieces())
+      for (const std::uint32_t piece : all_pieces(complex))
         for (const std::uint32_t edge : complex.edges_of(piece)) {
           ++incidences;
           ASSERT_TRUE(holds(complex.ring(edge), piece));
         }
-      for (const std::uint32_t edge : complex.edges()) incidences -= complex.ring(edge).count;
+      for (const std::uint32_t edge : all_edges(complex)) incidences -= complex.ring(edge).count;
       ASSERT_EQ(incidences, 0U);
     }
   }
@@ -40,7 +40,7 @@ TEST(GridComplex, NeighboursInARingShareACell) {
     const Prepared p(testing::white_noise({5, 4, 6}, seed));
     for (const Side side : {Side::inside, Side::outside}) {
       const GridComplex& complex = p.complex(side);
-      for (const std::uint32_t edge : complex.edges()) {
+      for (const std::uint32_t edge : all_edges(complex)) {
         const auto ring = complex.ring(edge);
         for (std::uint32_t i = 0; i < ring.count; ++i) {
           const auto here = complex.cells(ring[i]);
@@ -61,13 +61,13 @@ TEST(GridComplex, CellsPiecesAndEdgesCountTheEulerCharacteristicOfTheCore) {
     for (const Side side : {Side::inside, Side::outside}) {
       const GridComplex& complex = p.complex(side);
       std::set<std::uint32_t> cells;
-      for (const std::uint32_t piece : complex.pieces())
+      for (const std::uint32_t piece : all_pieces(complex))
         for (const std::uint32_t cell : complex.cells(piece)) cells.insert(cell);
       const auto vertices =
           std::count(p.sides.inside.begin(), p.sides.inside.end(), static_cast<std::uint8_t>(side));
       const auto spine = static_cast<std::int64_t>(cells.size()) -
-                         static_cast<std::int64_t>(complex.pieces().size()) +
-                         static_cast<std::int64_t>(complex.edges().size()) - vertices;
+                         static_cast<std::int64_t>(all_pieces(complex).size()) +
+                         static_cast<std::int64_t>(all_edges(complex).size()) - vertices;
       EXPECT_EQ(spine, euler) << "seed " << seed;
     }
   }
@@ -78,7 +78,7 @@ TEST(GridComplex, SegmentsOfBothSidesAreTheFacesShareOfM) {
   std::set<std::array<std::uint32_t, 2>> inside;
   std::set<std::array<std::uint32_t, 2>> outside;
   for (const Side side : {Side::inside, Side::outside})
-    for (const std::uint32_t piece : p.complex(side).pieces())
+    for (const std::uint32_t piece : all_pieces(p.complex(side)))
       for (const auto& [a, b] : p.complex(side).segments(piece))
         if (std::max(a, b) < p.surface.grid_edges.size())  // off the walls
           (side == Side::inside ? inside : outside).insert({std::min(a, b), std::max(a, b)});

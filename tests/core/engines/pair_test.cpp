@@ -21,15 +21,12 @@
 namespace isoloop {
 namespace {
 
+using testing::pairs_of;
 using testing::Prepared;
 using testing::SmallVolume;
 
 constexpr std::array all_refinements{Refinement::none, Refinement::first, Refinement::second,
                                      Refinement::both};
-
-std::vector<SurfacePair> pairs_of(const Prepared& prepared, Refinement refinement) {
-  return pair_simplices(prepared.surface, *prepared.inside, *prepared.outside, {refinement});
-}
 
 /// `least`: killing pieces that must have come up, lest the comparison be empty.
 template <class Make>

@@ -13,8 +13,8 @@ namespace isoloop {
 namespace {
 
 /// By so many threads, which decide how thick the slabs are.
-BitSet forest_by(int threads, const GridComplex& complex) {
-  return with_threads(threads, [&] { return largest_forest(complex); });
+BitSet forest_by(int threads, const GridComplex& complex, const GridSizes& sizes) {
+  return with_threads(threads, [&] { return largest_forest(complex, sizes); });
 }
 
 TEST(SpanningForest, IsTheOneThatKruskalFindsWithTheLargestPiecesFirst) {
@@ -25,9 +25,11 @@ TEST(SpanningForest, IsTheOneThatKruskalFindsWithTheLargestPiecesFirst) {
     if (p.surface.points.empty()) continue;
     for (const Side side : {Side::inside, Side::outside}) {
       const GridComplex& complex = p.complex(side);
-      const std::array forests{forest_by(1, complex), forest_by(3, complex), forest_by(8, complex)};
+      const GridSizes sizes = p.sizes_on(side);
+      const std::array forests{forest_by(1, complex, sizes), forest_by(3, complex, sizes),
+                               forest_by(8, complex, sizes)};
       DisjointSets cells(complex.cell_bound());
-      for (const std::uint32_t piece : pieces_from_largest(complex)) {
+      for (const std::uint32_t piece : from_largest(sizes, all_pieces(complex))) {
         const auto [a, b] = complex.cells(piece);
         const bool is_in = cells.unite(a, b);
         for (const BitSet& forest : forests)

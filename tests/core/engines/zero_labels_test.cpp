@@ -11,7 +11,7 @@ namespace {
 /// Reads all rings again and again until nothing follows.
 BitSet slow_zero_labels(const GridComplex& complex, const BitSet& forest) {
   BitSet known = forest;
-  const std::vector<std::uint32_t> edges = complex.edges();
+  const std::vector<std::uint32_t> edges = all_edges(complex);
   for (bool any = true; any;) {
     any = false;
     for (const std::uint32_t edge : edges) {
@@ -38,10 +38,10 @@ TEST(ZeroLabels, AreThoseThatReadingRingByRingLeadsTo) {
     if (p.surface.points.empty()) continue;
     for (const Side side : {Side::inside, Side::outside}) {
       const GridComplex& complex = p.complex(side);
-      const BitSet forest = largest_forest(complex);
+      const BitSet forest = largest_forest(complex, p.sizes_on(side));
       const BitSet known = zero_labels(complex, forest);
       const BitSet expected = slow_zero_labels(complex, forest);
-      for (const std::uint32_t piece : complex.pieces()) {
+      for (const std::uint32_t piece : all_pieces(complex)) {
         ASSERT_EQ(known[piece], expected[piece]) << "seed " << seed << ", piece " << piece;
         if (!expected[piece])
           ++open;
@@ -58,9 +58,9 @@ TEST(ZeroLabels, NumbersThatAreNoPieceAreKnown) {
   const testing::Prepared p(testing::smooth_noise({12, 9, 10}, 3, 1));
   for (const Side side : {Side::inside, Side::outside}) {
     const GridComplex& complex = p.complex(side);
-    const BitSet known = zero_labels(complex, largest_forest(complex));
+    const BitSet known = zero_labels(complex, largest_forest(complex, p.sizes_on(side)));
     std::vector<bool> is_piece(complex.piece_bound());
-    for (const std::uint32_t piece : complex.pieces()) is_piece[piece] = true;
+    for (const std::uint32_t piece : all_pieces(complex)) is_piece[piece] = true;
     known.for_each_missing(0, complex.piece_bound(),
                            [&](std::uint32_t number) { EXPECT_TRUE(is_piece[number]) << number; });
   }

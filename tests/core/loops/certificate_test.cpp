@@ -17,8 +17,8 @@ using testing::Prepared;
 struct Classified {
   explicit Classified(const testing::SmallVolume& volume)
       : prepared(volume, GeodesicMode::hierarchy),
-        inside(dual_pass(*prepared.inside)),
-        outside(dual_pass(*prepared.outside)),
+        inside(prepared.pass_on(Side::inside)),
+        outside(prepared.pass_on(Side::outside)),
         classes(surface_classes(prepared.surface, *prepared.inside, inside, *prepared.outside,
                                 outside)) {}
   Prepared prepared;

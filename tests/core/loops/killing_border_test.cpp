@@ -51,7 +51,7 @@ TEST(KillingBorder, IsEvenAtEveryVertexAndOnM) {
   for (std::uint32_t seed = 0; seed < 10; ++seed) {
     const testing::Prepared p(testing::white_noise({7, 7, 7}, seed), GeodesicMode::hierarchy);
     for (const Side side : {Side::inside, Side::outside}) {
-      const DualPass pass = dual_pass(p.complex(side));
+      const DualPass pass = p.pass_on(side);
       const KillingBorders borders = killing_borders(p.complex(side), pass);
       for (std::uint32_t i = 0; i < pass.killing.size(); ++i) {
         ASSERT_FALSE(borders.of(i).empty());

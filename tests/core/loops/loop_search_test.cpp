@@ -19,8 +19,8 @@ constexpr double any_length = std::numeric_limits<double>::infinity();
 struct Solid {
   explicit Solid(const testing::SmallVolume& volume)
       : prepared(volume, GeodesicMode::hierarchy),
-        inside(dual_pass(*prepared.inside)),
-        outside(dual_pass(*prepared.outside)),
+        inside(prepared.pass_on(Side::inside)),
+        outside(prepared.pass_on(Side::outside)),
         classes(surface_classes(prepared.surface, *prepared.inside, inside, *prepared.outside,
                                 outside)) {}
   testing::Prepared prepared;

@@ -69,8 +69,8 @@ struct Ball {
   testing::Prepared prepared{testing::sampled({20, 20, 20}, [](double x, double y, double z) {
     return 8.0 - std::hypot(x - 9.5, y - 9.5, z - 9.5);
   })};
-  DualPass pass = dual_pass(*prepared.inside);
-  MembraneFinder finder{prepared.sides, *prepared.inside, pass};
+  DualPass pass = prepared.pass_on(Side::inside);
+  MembraneFinder<GridComplex> finder{prepared.sides, *prepared.inside, pass};
   std::vector<bool> fixed = std::vector<bool>(prepared.sides.lattice.vertex_count());
   std::vector<bool> gone = fixed;
 

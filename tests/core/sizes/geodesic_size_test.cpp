@@ -20,7 +20,7 @@ using testing::SmallVolume;
 /// Sizes of all edges off M on one side, in no particular order.
 std::vector<float> edge_sizes(const Prepared& p, Side side) {
   std::vector<float> sizes;
-  for (const std::uint32_t edge : p.complex(side).edges())
+  for (const std::uint32_t edge : all_edges(p.complex(side)))
     sizes.push_back(side == Side::outside && p.edges.is_cut(edge)
                         ? p.sizes.of_outside_half[p.edges.vertex_on(edge)]
                         : p.sizes.by_edge[edge]);

@@ -1,0 +1,36 @@
+#include "core/complex/flat_complex.h"
+
+namespace isoloop {
+namespace {
+
+template <class Edges>
+Rows collected(std::uint32_t rows, const Edges& for_each_pair) {
+  RowCollector collector(rows);
+  for_each_pair([&](std::uint32_t row, std::uint32_t) { collector.count(row); });
+  collector.end_of_counting();
+  for_each_pair([&](std::uint32_t row, std::uint32_t value) { collector.add(row, value); });
+  return collector.take();
+}
+
+}  // namespace
+
+FlatComplex::FlatComplex(std::uint32_t cell_bound, std::uint32_t edge_bound,
+                         std::span<const FlatPiece> pieces)
+    : cell_bound_(cell_bound), first_segment_{0} {
+  const auto count = static_cast<std::uint32_t>(pieces.size());
+  const auto for_each_incidence = [&](const auto& visit) {
+    for (std::uint32_t piece = 0; piece < count; ++piece)
+      for (const std::uint32_t edge : pieces[piece].edges) visit(piece, edge);
+  };
+  borders_ = collected(count, for_each_incidence);
+  rings_ = collected(edge_bound, [&](const auto& visit) {
+    for_each_incidence([&](std::uint32_t piece, std::uint32_t edge) { visit(edge, piece); });
+  });
+  for (const FlatPiece& piece : pieces) {
+    cells_.push_back(piece.cells);
+    segments_.insert(segments_.end(), piece.segments.begin(), piece.segments.end());
+    first_segment_.push_back(static_cast<std::uint32_t>(segments_.size()));
+  }
+}
+
+}  // namespace isoloop
