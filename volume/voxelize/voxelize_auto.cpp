@@ -12,6 +12,7 @@
 #include "core/analysis/analysis.h"
 #include "core/base/errors.h"
 #include "volume/mesh/mesh_box.h"
+#include "volume/mesh_topology/mesh_counts.h"
 
 namespace isoloop {
 namespace {
