@@ -1,9 +1,11 @@
 # Two export sets, so that a program that wants isoloop::core alone needs nothing else of volumes.
 include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
 
 set(isoloop_package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/isoloop")
 foreach(name core volume)
-  install(TARGETS isoloop_${name} EXPORT isoloop_${name})
+  install(TARGETS isoloop_${name} EXPORT isoloop_${name}
+    INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
   install(EXPORT isoloop_${name} NAMESPACE isoloop:: FILE ${name}Targets.cmake
     DESTINATION "${isoloop_package_folder}")
 endforeach()

@@ -114,8 +114,7 @@ TEST(Readme, CommandsOnTheEnginePrintWhatIsShown) {
 }
 
 TEST(Readme, ProgramIsTheExampleThatIsCompiled) {
-  EXPECT_EQ(blocks_of("cpp"),
-            Words{text_of(fs::path(ISOLOOP_SOURCE) / "examples" / "loops.cpp")});
+  EXPECT_EQ(blocks_of("cpp"), Words{text_of(fs::path(ISOLOOP_SOURCE) / "examples" / "loops.cpp")});
 }
 
 std::set<std::string> flags_in(const std::string& text) {
