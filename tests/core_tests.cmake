@@ -60,6 +60,7 @@ isoloop_add_tests(isoloop_core_tests
     oracles/cube_geometry.cpp
     oracles/exact_basis.cpp
     oracles/explicit_complex.cpp
+    docs_test.cpp
     layers_test.cpp
     oracles/literal_pair.cpp
     oracles/random_volumes.cpp

@@ -9,6 +9,7 @@ isoloop_add_tests(isoloop_volume_tests
     volume/shapes/engine_block_test.cpp
     volume/base/file_kind_test.cpp
     volume/voxels/labels_test.cpp
+    volume/voxels/length_unit_test.cpp
     volume/base/memory_limit_test.cpp
     volume/mesh_topology/mesh_counts_test.cpp
     volume/mesh_topology/mesh_crossing_test.cpp

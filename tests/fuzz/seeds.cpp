@@ -153,6 +153,7 @@ void write_dicom_seeds() {
   using test::DicomSlice;
   for (const char* syntax : {test::explicit_little, test::explicit_big, test::implicit_little}) {
     write_seed("dicom", syntax, DicomSlice{.syntax = syntax}.file());
+    write_seed("dicom", std::string(syntax) + "_data_set", DicomSlice{.syntax = syntax}.data_set());
   }
   DicomSlice few_bits{.slope = "1", .intercept = "-1024", .stored = 12, .high = 11};
   write_seed("dicom", "few_bits", few_bits.file());

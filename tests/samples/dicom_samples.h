@@ -96,6 +96,13 @@ struct DicomSlice {
     add(0x7fe00010U, "OW", data);
     return bytes + after;
   }
+
+  /// The file without its first 132 bytes and the group that says how the rest is written.
+  std::string data_set() const {
+    const std::string whole = file();
+    const auto group = load<std::uint32_t>(std::as_bytes(std::span(whole)), 140, Endian::little);
+    return whole.substr(144 + group);
+  }
 };
 
 /// The slice at height 2 z, with pixels from 100 z on.

@@ -79,8 +79,7 @@ void add_count_command(CLI::App& app) {
   command.footer(
       "Examples:\n"
       "  isoloop count engine_256x256x128_uint8.raw --iso 70\n"
-      "  isoloop count sphere.vdb --json counts.json\n"
-      "  isoloop count part.stl --resolution auto\n"
+      "  isoloop count part.stl --resolution auto --json counts.json\n"
       "  isoloop count scan.raw --dims 512 512 300 --type i16 --iso 400 --json -");
   command.callback([flags] { count(*flags); });
 }

@@ -77,9 +77,7 @@ void add_info_command(CLI::App& app) {
       "Examples:\n"
       "  isoloop info engine_256x256x128_uint8.raw\n"
       "  isoloop info scan.raw --dims 512 512 300 --type i16 --spacing 0.4 0.4 0.8\n"
-      "  isoloop info cloud.vdb --grid density\n"
-      "  isoloop info cells.ome.tif --channel 1\n"
-      "  isoloop info folder_of_slices");
+      "  isoloop info cells.ome.tif --channel 1");
   command.callback([flags] {
     check_flags_fit_file(*flags);
     const Volume volume = read_volume(flags->file, read_options(*flags));

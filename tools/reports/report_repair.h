@@ -19,7 +19,7 @@ struct RepairRun {
 /// Counts before and after, one row for each removal, and what changed.
 void write_repair_table(std::ostream& out, const RepairRun& result);
 
-/// The same as JSON, schema isoloop-repair/1; README.md has the fields.
+/// The same as JSON, schema isoloop-repair/1; docs/manual.md has the fields.
 void write_repair_json(std::ostream& out, const RepairRun& result);
 
 }  // namespace isoloop

@@ -29,7 +29,7 @@ std::string attribute(const XmlTag& tag, const std::string& name) {
 struct OmeImage {
   XmlTag pixels{};
   std::vector<XmlTag> blocks{};   // TiffData
-  std::set<std::string> files{};  // that hold its planes, by their identifiers
+  std::set<std::string> files{};  // that hold its planes, by their identifiers or names
   bool interleaved = false;
 };
 
@@ -63,7 +63,8 @@ OmeImage image_of(const std::string& xml, const std::string& what) {
     if (name == "TiffData") image.blocks.push_back(*tag);
     if (name == "UUID") {
       const std::size_t end = xml.find('<', at);
-      image.files.insert(std::string(trimmed(std::string_view(xml).substr(at, end - at))));
+      const std::string_view text = trimmed(std::string_view(xml).substr(at, end - at));
+      image.files.insert(text.empty() ? attribute(*tag, "FileName") : std::string(text));
     }
     const std::string samples = attribute(*tag, "SamplesPerPixel");
     if (name == "Channel" && !samples.empty() && samples != "1") image.interleaved = true;
@@ -190,6 +191,7 @@ void set_spacing(const XmlTag& pixels, TiffPlanes& planes) {
     if (stated[axis] > 0.0) continue;
     const std::size_t other = stated[in_its_place[axis]] > 0.0 ? in_its_place[axis] : 2;
     spacing[axis] = stated[other] > 0.0 ? stated[other] : stated[1];
+    if (axis == 2 && attribute(pixels, "SizeZ") == "1") continue;
     planes.warnings.emplace_back(std::string("it states no spacing along ") + names[axis] +
                                  ": that of another axis is taken; --spacing X Y Z says otherwise");
   }

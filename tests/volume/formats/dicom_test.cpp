@@ -108,20 +108,12 @@ TEST_F(Dicom, AMissingSliceIsWarnedOfWhereTheSpacingIsGiven) {
   EXPECT_TRUE(contains(volume.warnings[0], "a slice is missing")) << volume.warnings[0];
 }
 
-/// Without the 132 bytes and the group that says how it is written.
-std::string data_set_of(const DicomSlice& slice) {
-  const std::string bytes = slice.file();
-  const std::size_t group =
-      12 + load<std::uint32_t>(std::as_bytes(std::span(bytes)), 140, Endian::little);
-  return bytes.substr(132 + group);
-}
-
 TEST_F(Dicom, SlicesWithoutTheirFirstBytesAreRead) {
   for (const char* syntax : {explicit_little, implicit_little}) {
     for (int z = 0; z < 4; ++z) {
       DicomSlice slice = dicom_slice_at(z);
       slice.syntax = syntax;
-      write_bytes(folder_ / std::to_string(9 - z), data_set_of(slice));
+      write_bytes(folder_ / std::to_string(9 - z), slice.data_set());
     }
     EXPECT_TRUE(holds_dicom(folder_.path()));
     const Volume volume = read();
@@ -130,7 +122,7 @@ TEST_F(Dicom, SlicesWithoutTheirFirstBytesAreRead) {
     const auto path = folder_ / "cut";
     DicomSlice slice;
     slice.syntax = syntax;
-    test::expect_no_beginning_is_read(path, data_set_of(slice), [&] { read_dicom(path); });
+    test::expect_no_beginning_is_read(path, slice.data_set(), [&] { read_dicom(path); });
     std::filesystem::remove(path);
   }
 }
@@ -141,6 +133,7 @@ TEST_F(Dicom, OtherFilesAreNotTakenForSlicesWithoutTheirFirstBytes) {
   write_bytes(folder_ / "a.bin", numbers);
   write_bytes(folder_ / "b.bin", std::string(200, '\x8'));
   write_bytes(folder_ / "c.bin", std::string("\x8\0\0\0\0\0\0\0\x8\0\0\0", 12));
+  write_bytes(folder_ / "d.bin", std::string("\x8\0\1\0\0\0\0\0\x20\0\2\0", 12));
   EXPECT_FALSE(holds_dicom(folder_.path()));
 }
 

@@ -128,7 +128,8 @@ TEST(MeshCounts, EqualTheCountsOfManyNestedShells) {
     std::int64_t solids = 0;
     std::int64_t cavities = 0;
     for (int cell = 0; cell < 27; ++cell) {
-      const Vec3 low{10.0 * (cell % 3), 10.0 * (cell / 3 % 3), 10.0 * (cell / 9)};
+      const auto along = [&](int step) { return static_cast<double>(10 * (cell / step % 3)); };
+      const Vec3 low{along(1), along(3), along(9)};
       const auto depth = static_cast<int>(random() % 5);
       for (int d = 0; d < depth; ++d) {
         const Mesh box = box_mesh({low[0] + d, low[1] + d, low[2] + d},

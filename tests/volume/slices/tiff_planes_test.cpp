@@ -153,6 +153,10 @@ TEST_F(TiffAxes, OmeThatIsNotOnePageForEachPlaneIsRefusedInASentence) {
                                           "<TiffData><UUID>a</UUID></TiffData>"
                                           "<TiffData><UUID>b</UUID></TiffData>")),
                        "one of 2 files"));
+  EXPECT_TRUE(contains(refusal(6, ome_xml(order,
+                                          "<TiffData><UUID FileName=\"a\"/></TiffData>"
+                                          "<TiffData><UUID FileName=\"b\"/></TiffData>")),
+                       "one of 2 files"));
   EXPECT_TRUE(contains(refusal(6, ome_xml("DimensionOrder=\"XYCZ\"")), "order 'XYCZ'"));
   EXPECT_TRUE(contains(refusal(6, ome_xml(order).substr(0, 200)), "XML"));
   EXPECT_TRUE(contains(refusal(1, "<OME><BinaryOnly MetadataFile=\"m.ome\"/></OME>"), "m.ome"));

@@ -1,0 +1,169 @@
+// What core/ uses of TBB, by std::thread: ThreadSanitizer knows nothing of what happens within a
+// TBB that was built without it, and reports races that are none. A loop runs on as many threads as
+// TBB would let it; a loop within a loop runs on the thread that meets it.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <type_traits>
+#include <vector>
+
+namespace tbb {
+namespace stand_in {
+
+inline std::size_t allowed = 4;             // by global_control
+inline thread_local int arena_threads = 4;  // of the arena that this thread runs in
+inline thread_local int index_in_arena = 0;
+inline thread_local bool is_within_loop = false;
+
+/// Calls body(k) for k from 0 to count, itself not included, each on one of the threads.
+template <class Body>
+void run(std::size_t count, const Body& body) {
+  const auto threads = std::min({count, allowed, static_cast<std::size_t>(arena_threads)});
+  if (is_within_loop || threads < 2) {
+    for (std::size_t k = 0; k < count; ++k) body(k);
+    return;
+  }
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr thrown;
+  std::mutex mutex;
+  const int arena = arena_threads;
+  const auto work = [&](int index) {
+    arena_threads = arena;
+    index_in_arena = index;
+    is_within_loop = true;
+    try {
+      for (std::size_t k = next++; k < count; k = next++) body(k);
+    } catch (...) {
+      next = count;
+      const std::lock_guard lock(mutex);
+      if (!thrown) thrown = std::current_exception();
+    }
+  };
+  std::vector<std::thread> others;
+  for (std::size_t t = 1; t < threads; ++t) others.emplace_back(work, static_cast<int>(t));
+  const int own_index = index_in_arena;
+  work(0);
+  index_in_arena = own_index;
+  is_within_loop = false;
+  for (std::thread& other : others) other.join();
+  if (thrown) std::rethrow_exception(thrown);
+}
+
+}  // namespace stand_in
+
+template <class Value>
+class blocked_range {
+ public:
+  blocked_range(Value begin, Value end, std::size_t grain = 1)
+      : begin_(begin), end_(end), grain_(grain) {}
+  Value begin() const { return begin_; }
+  Value end() const { return end_; }
+  std::size_t size() const { return static_cast<std::size_t>(end_ - begin_); }
+  bool empty() const { return !(begin_ < end_); }
+  std::size_t grainsize() const { return grain_; }
+
+ private:
+  Value begin_;
+  Value end_;
+  std::size_t grain_;
+};
+
+struct simple_partitioner {};
+
+namespace stand_in {
+
+/// The range in at most 16 parts, none shorter than its grain but the last.
+template <class Value>
+std::vector<blocked_range<Value>> parts_of(const blocked_range<Value>& range) {
+  std::vector<blocked_range<Value>> parts;
+  const std::size_t length = std::max(range.grainsize(), range.size() / 16 + 1);
+  for (Value at = range.begin(); at < range.end();) {
+    const std::size_t left = static_cast<std::size_t>(range.end() - at);
+    const auto end = static_cast<Value>(at + static_cast<Value>(std::min(length, left)));
+    parts.emplace_back(at, end, range.grainsize());
+    at = end;
+  }
+  return parts;
+}
+
+}  // namespace stand_in
+
+template <class Value, class Body>
+void parallel_for(const blocked_range<Value>& range, const Body& body) {
+  const auto parts = stand_in::parts_of(range);
+  stand_in::run(parts.size(), [&](std::size_t k) { body(parts[k]); });
+}
+
+template <class Value, class Body>
+void parallel_for(const blocked_range<Value>& range, const Body& body, simple_partitioner) {
+  parallel_for(range, body);
+}
+
+template <class Value, class Body, class = std::enable_if_t<std::is_integral_v<Value>>>
+void parallel_for(Value begin, Value end, const Body& body) {
+  parallel_for(blocked_range<Value>(begin, end), [&](const auto& range) {
+    for (Value i = range.begin(); i < range.end(); ++i) body(i);
+  });
+}
+
+template <class Value, class Result, class Body, class Join>
+Result parallel_reduce(const blocked_range<Value>& range, const Result& identity, const Body& body,
+                       const Join& join) {
+  const auto parts = stand_in::parts_of(range);
+  std::vector<Result> results(parts.size(), identity);
+  stand_in::run(parts.size(), [&](std::size_t k) { results[k] = body(parts[k], identity); });
+  Result sum = identity;
+  for (const Result& result : results) sum = join(sum, result);
+  return sum;
+}
+
+template <class First, class Second>
+void parallel_invoke(const First& first, const Second& second) {
+  stand_in::run(2, [&](std::size_t k) { k == 0 ? first() : second(); });
+}
+
+class global_control {
+ public:
+  enum parameter { max_allowed_parallelism };
+  global_control(parameter, std::size_t value) : before_(stand_in::allowed) {
+    stand_in::allowed = value;
+  }
+  ~global_control() { stand_in::allowed = before_; }
+  global_control(const global_control&) = delete;
+  global_control& operator=(const global_control&) = delete;
+  static std::size_t active_value(parameter) { return stand_in::allowed; }
+
+ private:
+  std::size_t before_;
+};
+
+class task_arena {
+ public:
+  explicit task_arena(int threads) : threads_(threads) {}
+  template <class Work>
+  auto execute(const Work& work) {
+    struct Entered {
+      int before = stand_in::arena_threads;
+      ~Entered() { stand_in::arena_threads = before; }
+    } const entered;
+    stand_in::arena_threads = threads_;
+    return work();
+  }
+
+ private:
+  int threads_;
+};
+
+namespace this_task_arena {
+inline int max_concurrency() { return stand_in::arena_threads; }
+inline int current_thread_index() { return stand_in::index_in_arena; }
+}  // namespace this_task_arena
+
+}  // namespace tbb
