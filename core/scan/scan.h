@@ -15,7 +15,8 @@
 
 namespace isoloop {
 
-/// One row for each iso value, in their order: strictly ascending, finite. Takes about 16 bytes a
+/// One row for each iso value, in their order: strictly ascending, finite. On the threads that the
+/// caller has, whatever options.threads says. Takes about 16 bytes a
 /// voxel, and 4 for each face whose corners' values can alternate. Throws InvalidArgument (iso
 /// values, dimensions), InvalidInput (NaN in the grid), LimitExceeded over max_lattice_vertices or
 /// where it takes more than options.max_bytes, SelfCheckFailed where the counts contradict each

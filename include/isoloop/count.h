@@ -20,6 +20,7 @@ struct Counts {
   std::vector<SurfaceComponent> components;  // of M, in the order of their first vertex
 };
 
+/// What lies beyond the grid, and how much the count may take.
 struct CountOptions {
   Boundary boundary = Boundary::closed;
   int threads = 0;                            // at most; 0: one for each core

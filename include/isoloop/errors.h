@@ -1,4 +1,4 @@
-// The errors that isoloop throws. A caller needs no others; tools/ maps each to an exit code.
+// The errors that isoloop throws. A caller needs no others.
 #pragma once
 
 #include <stdexcept>

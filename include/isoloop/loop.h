@@ -51,10 +51,12 @@ struct LoopCertificate {
 /// A cycle on M, maybe of several closed curves.
 struct Loop {
   LoopKind kind = LoopKind::handle;
-  int id = 0;                 // 1, 2, ... within its kind, by size
-  double size = 0.0;          // g(t), unit of the spacing; infinite if t joins two components of M
-  double length = 0.0;        // of all curves, or geodesics; unit of the spacing
-  double found_length = 0.0;  // of the loop that was found near the killing piece
+  int id = 0;  // 1, 2, ... within its kind, by size
+  /// How narrow the handle or tunnel is, about half its girth there: the geodesic size g(t) of the
+  /// triangle t that kills the loop. Unit of the spacing; infinite if t joins two components of M.
+  double size = 0.0;
+  double length = 0.0;                // of all curves, or geodesics; unit of the spacing
+  double found_length = 0.0;          // of the loop first found there, before Tighten
   std::uint32_t component = 0;        // of M, of the first curve
   Vec3 center_index{};                // mean of the points, weighted by arc length; voxel indices
   std::vector<Curve> curves;          // along edges of M: what is certified

@@ -13,6 +13,7 @@
 
 namespace isoloop {
 
+/// What to find, and how much that may take.
 struct LoopOptions {
   Boundary boundary = Boundary::closed;
   GeodesicMode geodesic = GeodesicMode::hierarchy;
@@ -26,6 +27,7 @@ struct LoopOptions {
   std::uint64_t max_bytes = unlimited_bytes;  // to hold beside the grid's voxels
 };
 
+/// All loops, and what they run on.
 struct FoundLoops {
   Counts counts;
   SurfaceMesh surface;            // that the loops run on; drawn_curves() asks for it

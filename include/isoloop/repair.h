@@ -65,6 +65,7 @@ struct RepairResult : RepairChanges {
   Counts after;
 };
 
+/// How much a repair may take.
 struct RepairOptions {
   GeodesicMode geodesic = GeodesicMode::hierarchy;
   int threads = 0;                            // at most; 0: one for each core

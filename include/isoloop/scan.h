@@ -13,10 +13,11 @@
 
 namespace isoloop {
 
+/// How to count, and with how much.
 struct ScanOptions {
   InsideRule inside = InsideRule::above;
   Topology topology = Topology::trilinear;
-  int threads = 0;                            // at most; 0: as many as the caller may have
+  int threads = 0;                            // at most; 0: one for each core
   Progress progress{};                        // may be empty
   std::uint64_t max_bytes = unlimited_bytes;  // to hold beside the grid's voxels
 };

@@ -14,9 +14,9 @@ namespace isoloop {
 /// the components of O that do not reach the border. With an open boundary of M: its components,
 /// its independent loops, and its components without a border.
 struct Betti {
-  std::int64_t b0 = 0;
-  std::int64_t b1 = 0;
-  std::int64_t b2 = 0;
+  std::int64_t b0 = 0;  // components
+  std::int64_t b1 = 0;  // tunnels
+  std::int64_t b2 = 0;  // cavities
 
   bool operator==(const Betti&) const = default;
 };
@@ -40,8 +40,8 @@ struct SurfaceMesh {
   std::vector<std::array<float, 3>> points;
   /// Corners in points, counter-clockwise seen from O. Each directed edge occurs once.
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::uint32_t> component_of_vertex;
-  std::vector<SurfaceComponent> components;  // in the order of their first vertex
+  std::vector<std::uint32_t> component_of_vertex;  // its place in components
+  std::vector<SurfaceComponent> components;        // in the order of their first vertex
   Boundary boundary = Boundary::closed;
   Vec3 spacing{1.0, 1.0, 1.0};  // length per voxel: the unit of every length on M
 };

@@ -1,6 +1,8 @@
-// A volume in memory: voxels in their stored type, and where they lie in the world.
+// A volume in memory: voxels in their stored type, and where they lie in the world. Volumes to
+// files.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -56,6 +58,7 @@ struct MeshCounts {
   std::optional<Betti> voxels{};  // where they were counted to find their size: those of the volume
 };
 
+/// Voxels with all that is known of where they lie and come from.
 struct Volume {
   VoxelArray values{};
   Index3 dims{};                // voxels along each axis, each at least 1
@@ -75,7 +78,8 @@ struct Volume {
   std::vector<std::string> warnings{};  // what a user should look at; a sentence each
 };
 
-/// The voxels as core/ sees them. Valid while `volume` lives and keeps its values.
+/// The voxels as count(), find_loops(), scan() and repair() take them. Valid while `volume` lives
+/// and keeps its values.
 AnyGridView view(const Volume& volume);
 
 /// World position of a point given in (fractional) voxel indices.
@@ -112,8 +116,7 @@ void write_volume(const Volume& volume, const std::filesystem::path& path);
 struct ValueRange {
   double min = 0.0;
   double max = 0.0;
-  std::vector<double>
-      distinct{};  // all values, ascending; empty if they are more than most_distinct
+  std::vector<double> distinct{};  // all, ascending; empty if they are more than most_distinct
 };
 
 inline constexpr std::size_t most_distinct = 32;
