@@ -30,6 +30,7 @@ isoloop_add_tests(isoloop_core_tests
     core/grid/vec3_test.cpp
     core/tighten/loop_matching_test.cpp
     core/loops/loop_search_test.cpp
+    core/library/library_test.cpp
     core/loops/loops_test.cpp
     core/repair/membrane_test.cpp
     core/base/memory_budget_test.cpp

@@ -217,7 +217,7 @@ void set_geodesics(const Surface& surface, Loop& loop, std::vector<Geodesic> geo
   loop.center_index = center_of(surface, loop);
 }
 
-std::vector<std::vector<Vec3>> drawn_curves(const Surface& surface, const Loop& loop) {
+std::vector<std::vector<Vec3>> drawn_curves(const SurfaceMesh& surface, const Loop& loop) {
   std::vector<std::vector<Vec3>> drawn;
   for (const Geodesic& geodesic : loop.geodesics) {
     drawn.emplace_back();

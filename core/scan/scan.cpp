@@ -14,6 +14,7 @@
 
 #include "core/base/disjoint_sets.h"
 #include "core/base/errors.h"
+#include "core/base/memory_budget.h"
 #include "core/base/run_both.h"
 #include "core/grid/lattice.h"
 #include "core/grid/level.h"

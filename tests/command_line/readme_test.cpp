@@ -115,24 +115,8 @@ TEST(Readme, CommandsOnTheEnginePrintWhatIsShown) {
   expect_examples_to_hold(name, scratch.path());
 }
 
-TEST(Readme, ProgramIsTheOneThatIsCompiled) {
-  EXPECT_EQ(blocks_of("cpp"), Words{text_of(fs::path(ISOLOOP_SOURCE) / "tests" / "command_line" /
-                                            "readme_sample.cpp")});
-}
-
-TEST(Readme, ProgramFindsTheLoopsOfATorus) {
-  const ScratchDirectory scratch;
-  ASSERT_EQ(
-      run_isoloop(scratch.path(), {"generate", "torus", "--size", "32", "-o", "t.vdb"}).exit_code,
-      0);
-  const ProcessResult result = run_program(ISOLOOP_README_SAMPLE, scratch.path(), {"t.vdb"});
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-  const Words lines = split(result.out, '\n');
-  ASSERT_EQ(lines.size(), 3U) << result.out;
-  EXPECT_EQ(lines[0], "1 components, 1 tunnels, 0 cavities");
-  EXPECT_TRUE(lines[1].starts_with("handle loop, cut at "));
-  EXPECT_TRUE(lines[2].starts_with("tunnel loop, fill at "));
-  EXPECT_EQ(run_program(ISOLOOP_README_SAMPLE, scratch.path(), {"none.vdb"}).exit_code, 3);
+TEST(Readme, ProgramIsTheExampleThatIsCompiled) {
+  EXPECT_EQ(blocks_of("cpp"), Words{text_of(fs::path(ISOLOOP_SOURCE) / "examples" / "loops.cpp")});
 }
 
 std::set<std::string> flags_in(const std::string& text) {

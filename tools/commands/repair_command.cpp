@@ -10,6 +10,7 @@
 
 #include "core/base/errors.h"
 #include "core/base/stage.h"
+#include "core/base/threads.h"
 #include "tools/flags/repair_flags.h"
 #include "tools/flags/thread_flag.h"
 #include "tools/reports/report_repair.h"

@@ -4,7 +4,7 @@
 
 #include "core/base/errors.h"
 #include "core/base/stage.h"
-#include "tools/flags/thread_flag.h"
+#include "core/base/threads.h"
 #include "tools/runs/read_run.h"
 #include "tools/runs/scan_run.h"
 #include "tools/words/sentence.h"

@@ -15,6 +15,7 @@
 #include "volume/formats/nifti.h"
 #include "volume/formats/npy.h"
 #include "volume/formats/nrrd.h"
+#include "volume/formats/raw.h"
 #include "volume/formats/vti.h"
 #include "volume/mesh/mesh.h"
 #include "volume/slices/slice_file.h"

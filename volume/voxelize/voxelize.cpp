@@ -8,6 +8,7 @@
 #include "volume/base/rounded_text.h"
 #include "volume/mesh/mesh_box.h"
 #include "volume/mesh/mesh_closure.h"
+#include "volume/mesh_topology/mesh_counts.h"
 #include "volume/voxelize/mesh_distance.h"
 #include "volume/voxelize/mesh_winding.h"
 

@@ -12,6 +12,7 @@
 #include "core/base/errors.h"
 #include "volume/base/rounded_text.h"
 #include "volume/mesh/mesh_box.h"
+#include "volume/mesh_topology/mesh_counts.h"
 
 namespace isoloop {
 namespace {

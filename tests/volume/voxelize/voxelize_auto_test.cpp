@@ -7,6 +7,7 @@
 #include "tests/samples/mesh_samples.h"
 #include "tests/samples/volume_test_files.h"
 #include "volume/files/read.h"
+#include "volume/mesh_topology/mesh_counts.h"
 
 namespace isoloop {
 namespace {
