@@ -27,8 +27,10 @@ isoloop_add_tests(isoloop_core_tests
     core/z2/label_test.cpp
     core/grid/lattice_test.cpp
     core/grid/level_test.cpp
+    core/grid/vec3_test.cpp
     core/tighten/loop_matching_test.cpp
     core/loops/loop_search_test.cpp
+    core/library/library_test.cpp
     core/loops/loops_test.cpp
     core/repair/membrane_test.cpp
     core/base/memory_budget_test.cpp

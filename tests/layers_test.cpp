@@ -44,6 +44,31 @@ TEST(Layers, CoreSeesNoFilesAndNoOtherLayer) {
         << file << " includes " << name;
 }
 
+TEST(Layers, ThePublicHeadersSeeTheStandardLibraryAndEachOther) {
+  const std::regex standard("[a-z_]+");
+  for (const auto& [name, file] : includes_of("include"))
+    EXPECT_TRUE(std::regex_match(name, standard) || starts_with_any(name, {"isoloop/"}))
+        << file << " includes " << name;
+}
+
+TEST(Layers, CoreSeesNoPublicHeaderOfVolumes) {
+  for (const auto& [name, file] : includes_of("core"))
+    EXPECT_FALSE(starts_with_any(
+        name, {"isoloop/volume.h", "isoloop/read.h", "isoloop/shapes.h", "isoloop/isoloop.h"}))
+        << file << " includes " << name;
+}
+
+TEST(Layers, OnlyTheLastRoomOfCoreSeesWhatItPromises) {
+  for (const auto& [name, file] : includes_of("core"))
+    EXPECT_TRUE(name != "isoloop/loops.h" || starts_with_any(file, {"core/library/"})) << file;
+}
+
+TEST(Layers, TheExamplesSeeThePublicHeadersAlone) {
+  for (const auto& [name, file] : includes_of("examples"))
+    EXPECT_FALSE(starts_with_any(name, {"core/", "volume/", "tools/", "tests/"}))
+        << file << " includes " << name;
+}
+
 TEST(Layers, VolumeSeesNeitherToolsNorTheirLibraries) {
   for (const auto& [name, file] : includes_of("volume"))
     EXPECT_FALSE(starts_with_any(name, {"tools/", "tests/", "nlohmann", "CLI"}))
@@ -83,6 +108,18 @@ std::map<std::string, std::set<std::string>> arrows() {
   return to;
 }
 
+TEST(Layers, CoreAndVolumeNameNoFlag) {
+  // What a flag is called is for tools/words/sentence.cpp to say; others have options.
+  static const std::regex flag(R"re("[^"]*--[a-z][^"]*")re");
+  for (const std::string layer : {"core", "volume"})
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(ISOLOOP_SOURCE) / layer)) {
+      if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") continue;
+      std::ifstream file(entry.path());
+      for (std::string line; std::getline(file, line);)
+        EXPECT_FALSE(std::regex_search(line, flag)) << entry.path() << ": " << line;
+    }
+}
+
 TEST(Layers, NoIncludeRunsBackBetweenFolders) {
   std::map<std::string, std::set<std::string>> left = arrows();
   // Takes away folders that see none of those left, until all are gone.
@@ -102,7 +139,7 @@ TEST(Layers, NoIncludeRunsBackBetweenFolders) {
 
 TEST(Layers, AFolderFitsAGlance) {
   std::map<std::string, int> headers;
-  for (const std::string layer : {"core", "volume", "tools"})
+  for (const std::string layer : {"include", "core", "volume", "tools"})
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(ISOLOOP_SOURCE) / layer))
       if (entry.path().extension() == ".h") ++headers[entry.path().parent_path().string()];
   EXPECT_GT(headers.size(), 20U);

@@ -21,6 +21,7 @@
 #include "core/surface/edge_index.h"
 #include "core/surface/surface.h"
 #include "core/z2/z2_basis.h"
+#include "isoloop/loop.h"
 
 namespace isoloop {
 
@@ -28,10 +29,6 @@ namespace isoloop {
 /// the killed cycles as they are; the dual pass runs too: its classes certify the loops, and under
 /// the order by size its killing pieces must be those of PAIR.
 enum class Engine { dual, pair };
-
-/// none: the loops as they were found. basis: exchanged for shorter ones, as a whole (see
-/// shorten_basis). curve: then drawn across M's triangles too (see straighten_loops).
-enum class Tighten { none, basis, curve };
 
 struct AnalysisOptions {
   Boundary boundary = Boundary::closed;

@@ -20,9 +20,11 @@ std::string bytes_text(std::uint64_t bytes) {
 
 void check_memory(const char* stage, std::uint64_t needed, std::uint64_t limit) {
   if (needed <= limit) return;
-  throw LimitExceeded(std::string("the stage '") + stage + "' needs " + bytes_text(needed) +
-                      " beside the volume, and the limit leaves " + bytes_text(limit) +
-                      "; raise --max-memory or crop the volume");
+  throw LimitExceeded(
+      {.text = std::string("the stage '") + stage + "' needs " + bytes_text(needed) +
+               " beside the volume, and the limit leaves " + bytes_text(limit),
+       .advice = {Advice::raise_memory_limit, Advice::take_part}},
+      {.unit = Excess::Unit::bytes, .needed = needed, .limit = limit, .stage = stage});
 }
 
 int threads_within(const char* stage, std::uint64_t shared, std::uint64_t each, std::uint64_t limit,

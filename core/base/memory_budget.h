@@ -3,12 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <string>
 
-namespace isoloop {
+#include "isoloop/run.h"
 
-inline constexpr std::uint64_t unlimited_bytes = std::numeric_limits<std::uint64_t>::max();
+namespace isoloop {
 
 /// "2.0 GiB", "512.0 MiB", "50 bytes".
 std::string bytes_text(std::uint64_t bytes);

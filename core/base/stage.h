@@ -14,9 +14,10 @@ template <class Work>
 auto in_stage(const char* stage, const Work& work) -> decltype(work()) {
   const auto fail = [&]() -> LimitExceeded {
     return LimitExceeded(
-        std::string("the stage '") + stage +
-        "' asks for more memory than there is, or than the limit allows; a part of "
-        "the volume, or one of half the resolution, takes less");
+        Finding{.text = std::string("the stage '") + stage +
+                        "' asks for more memory than there is, or than the limit allows",
+                .advice = {Advice::take_part, Advice::halve_resolution}},
+        Excess{.stage = stage});
   };
   try {
     return work();

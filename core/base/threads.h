@@ -25,4 +25,10 @@ auto with_threads(int threads, const Work& work) {
   return tbb::task_arena(threads).execute(work);
 }
 
+/// The same on as many threads as there are where `threads` is 0.
+template <class Work>
+auto on_threads(int threads, const Work& work) {
+  return with_threads(threads > 0 ? threads : static_cast<int>(thread_count()), work);
+}
+
 }  // namespace isoloop

@@ -75,15 +75,19 @@ void check_grid(const GridView<T>& grid, const IsoLevel& level) {
   std::int64_t count = 1;
   for (const std::int64_t n : grid.dims) count *= n;
   if (count <= 0 || static_cast<std::int64_t>(grid.values.size()) != count)
-    throw InvalidArgument("the grid's dimensions do not fit its number of voxels");
-  if (std::isnan(level.iso)) throw InvalidArgument("the iso value is NaN: give a number");
+    throw InvalidArgument({.text = "the grid's dimensions do not fit its number of voxels"},
+                          Option::dims);
+  if (std::isnan(level.iso))
+    throw InvalidArgument({.about = Option::iso, .text = "is NaN: give a number"});
   if (level.upper && (level.inside == InsideRule::below || !(*level.upper >= level.iso)))
     throw InvalidArgument(
-        "of two iso values, between which the inside lies, the second is the "
-        "larger, and the inside is above the first");
+        {.text = "of two iso values, between which the inside lies, the second is the "
+                 "larger, and the inside is above the first"},
+        Option::iso);
   for (const double length : grid.spacing)
     if (!is_spacing(length))
-      throw InvalidArgument("the grid's spacing must lie between 1e-18 and 1e18 along each axis");
+      throw InvalidArgument(
+          {.about = Option::spacing, .text = "must lie between 1e-18 and 1e18 along each axis"});
 }
 
 Lattice lattice_around(const Bounds& bounds, const Index3& grid_dims, Boundary boundary) {
@@ -98,14 +102,16 @@ Lattice lattice_around(const Bounds& bounds, const Index3& grid_dims, Boundary b
       last = std::min(last, grid_dims[a] - 1);
     }
     if (last > max_voxel_index)
-      throw LimitExceeded("the solid lies beyond voxel " + std::to_string(max_voxel_index) +
-                          " along an axis, too far for the precision of its surface: crop the "
-                          "volume");
+      throw LimitExceeded({.text = "the solid lies beyond voxel " +
+                                   std::to_string(max_voxel_index) +
+                                   " along an axis, too far for the precision of its surface",
+                           .advice = {Advice::take_part}});
     const auto extent = static_cast<std::uint64_t>(last - first[a]) + 1;
     if (extent > max_lattice_vertices || count * extent > max_lattice_vertices)
-      throw LimitExceeded("the solid's bounding box has more than " +
-                          std::to_string(max_lattice_vertices) +
-                          " voxels: crop the volume or halve its resolution");
+      throw LimitExceeded({.text = "the solid's bounding box has more than " +
+                                   std::to_string(max_lattice_vertices) + " voxels",
+                           .advice = {Advice::take_part, Advice::halve_resolution}},
+                          {.unit = Excess::Unit::voxels, .limit = max_lattice_vertices});
     count *= extent;
     dims[a] = static_cast<std::uint32_t>(extent);
   }
@@ -243,16 +249,20 @@ Sides classify_grid(const GridView<T>& grid, const IsoLevel& level, Boundary bou
                     std::uint64_t max_bytes) {
   check_grid(grid, level);
   if (boundary == Boundary::open && *std::min_element(grid.dims.begin(), grid.dims.end()) < 2)
-    throw InvalidArgument("an open boundary needs two voxels or more along each axis, not " +
-                          std::to_string(grid.dims[0]) + " x " + std::to_string(grid.dims[1]) +
-                          " x " + std::to_string(grid.dims[2]));
+    throw InvalidArgument(
+        {.text = "an open boundary needs two voxels or more along each axis, not " +
+                 std::to_string(grid.dims[0]) + " x " + std::to_string(grid.dims[1]) + " x " +
+                 std::to_string(grid.dims[2])},
+        Option::boundary);
   const Bounds bounds = inside_bounds(grid, level);
   if (bounds.first_nan != std::numeric_limits<std::int64_t>::max()) {
     const std::int64_t n = bounds.first_nan;
-    throw InvalidInput("voxel (" + std::to_string(n % grid.dims[0]) + ", " +
-                       std::to_string(n / grid.dims[0] % grid.dims[1]) + ", " +
-                       std::to_string(n / grid.dims[0] / grid.dims[1]) +
-                       ") is NaN: give a value to put in its place");
+    throw InvalidInput({.place = "voxel (" + std::to_string(n % grid.dims[0]) + ", " +
+                                 std::to_string(n / grid.dims[0] % grid.dims[1]) + ", " +
+                                 std::to_string(n / grid.dims[0] / grid.dims[1]) + ")",
+                        .text = "NaN",
+                        .advice = {Advice::replace_nan}},
+                       Fault::not_finite);
   }
   Sides sides;
   sides.boundary = boundary;

@@ -12,11 +12,6 @@
 
 namespace isoloop {
 
-/// What lies beyond the grid. closed: the outside, so that M is closed. open: nothing; M may end at
-/// the border of the grid, and its sides are not told apart (Dey, Li, Sun, Cohen-Steiner, SIGGRAPH
-/// 2008, last section).
-enum class Boundary { closed, open };
-
 /// The box that K fills: the bounding box of the inside voxels and one layer of outside vertices
 /// around it, which an open boundary clips to the grid. Beyond it each side is one cell. Empty (all
 /// dims 0) where no voxel is inside.

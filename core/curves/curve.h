@@ -7,11 +7,9 @@
 #include <vector>
 
 #include "core/surface/surface.h"
+#include "isoloop/loop.h"
 
 namespace isoloop {
-
-/// Vertices of M; each is joined to the next, and the last to the first, by an edge of M.
-using Curve = std::vector<std::uint32_t>;
 
 /// A cycle of edges of M, as vertex pairs, strung into closed curves without repeated vertices.
 std::vector<Curve> closed_curves(std::span<const std::array<std::uint32_t, 2>> edges);

@@ -220,7 +220,7 @@ bool lies_on(const Surface& surface, const TriangleFans& fans, const Geodesic& g
   return !geodesic.empty();
 }
 
-Vec3 index_point(const Surface& surface, const SurfacePoint& point) {
+Vec3 index_point(const SurfaceMesh& surface, const SurfacePoint& point) {
   Vec3 position{};
   for (std::size_t a = 0; a < 3; ++a)
     position[a] = (1.0 - point.at) * surface.points[point.edge[0]][a] +

@@ -2,31 +2,18 @@
 // allow.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <span>
-#include <vector>
-
 #include "core/curves/curve.h"
 #include "core/curves/triangle_fans.h"
 #include "core/surface/surface.h"
+#include "isoloop/loop.h"
 
 namespace isoloop {
-
-/// On an edge of M, at (1 - at) * edge[0] + at * edge[1]; at a vertex both ends are that vertex.
-struct SurfacePoint {
-  std::array<std::uint32_t, 2> edge{};
-  double at = 0.0;  // 0 to 1
-};
-
-/// Each point and the next, the last and the first included, lie in one triangle of M.
-using Geodesic = std::vector<SurfacePoint>;
 
 /// Whether it is as described: shares between 0 and 1, and each point and the next in one triangle.
 bool lies_on(const Surface& surface, const TriangleFans& fans, const Geodesic& geodesic);
 
 /// In voxel indices.
-Vec3 index_point(const Surface& surface, const SurfacePoint& point);
+Vec3 index_point(const SurfaceMesh& surface, const SurfacePoint& point);
 
 /// In the unit of the spacing.
 double length_of(const Surface& surface, const Geodesic& geodesic);

@@ -63,7 +63,8 @@ template <PairComplex C, Sizes S>
 SideRows rows_off_surface(const SizedSide<C, S>& side, Refinement refinement, std::uint32_t first) {
   std::vector<std::uint32_t> edges = all_edges(side.complex);
   if (edges.size() > std::numeric_limits<std::uint32_t>::max() - first)
-    throw LimitExceeded("the volume has too many edges for 32-bit rows: crop it");
+    throw LimitExceeded(
+        {.text = "the volume has too many edges for 32-bit rows", .advice = {Advice::take_part}});
   if (orders_by_size(refinement)) {
     std::vector<std::uint64_t> keys(edges.size());
     for (std::size_t i = 0; i < edges.size(); ++i)

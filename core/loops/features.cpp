@@ -16,6 +16,7 @@
 #include "core/base/per_thread.h"
 #include "core/base/threads.h"
 #include "core/curves/triangle_fans.h"
+#include "core/grid/vec3.h"
 
 namespace isoloop {
 namespace {
@@ -37,14 +38,6 @@ struct SweptSide {
   Front last;
 };
 
-double norm(const Vec3& v) { return std::hypot(v[0], v[1], v[2]); }
-
-Vec3 difference(const Vec3& p, const Vec3& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
-
-Vec3 cross(const Vec3& u, const Vec3& v) {
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
-
 void add_segment(Front& front, const Vec3& p, const Vec3& q) {
   const double length = distance(p, q);
   front.length += length;
@@ -58,8 +51,8 @@ void finish(Front& front) {
 
 double triangle_area(const Surface& surface, const std::array<std::uint32_t, 3>& corners) {
   const Vec3 p = scaled_point(surface, corners[0]);
-  return norm(cross(difference(scaled_point(surface, corners[1]), p),
-                    difference(scaled_point(surface, corners[2]), p))) /
+  return norm(cross(minus(scaled_point(surface, corners[1]), p),
+                    minus(scaled_point(surface, corners[2]), p))) /
          2;
 }
 
@@ -134,7 +127,7 @@ class Sweep {
       level = next_level(level, step);
     }
     feature.mean_girth /= static_cast<double>(fronts);
-    const Vec3 chord = difference(sides[2].last.centroid, sides[1].last.centroid);
+    const Vec3 chord = minus(sides[2].last.centroid, sides[1].last.centroid);
     feature.axis = without_direction(norm(chord) >= feature.depth / 2 && feature.depth >= step
                                          ? chord
                                          : normal_of(surface_, loop));
@@ -324,8 +317,10 @@ std::vector<Feature> features_of(const Surface& surface, const std::vector<Loop>
     features[i].vertices.shrink_to_fit();
     kept += sizeof(std::uint32_t) * features[i].vertices.size();
     if (kept <= room) return;
-    throw LimitExceeded("the vertices of the features outgrow " + bytes_text(room) +
-                        ", which is what the limit leaves; raise --max-memory or crop the volume");
+    throw LimitExceeded({.text = "the vertices of the features outgrow " + bytes_text(room) +
+                                 ", which is what the limit leaves",
+                         .advice = {Advice::raise_memory_limit, Advice::take_part}},
+                        {.unit = Excess::Unit::bytes, .limit = room, .stage = "features"});
   };
   with_threads(searches, [&] {
     PerThread<Sweep> sweeps;

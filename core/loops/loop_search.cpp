@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <limits>
 #include <unordered_map>
 
@@ -36,6 +37,9 @@ std::vector<Curve> without_repeated_edges(const Curve& walk) {
   return closed_curves(odd);
 }
 
+/// Apart from the print of the same set as the other part of a class.
+constexpr ClassPrint rotated(ClassPrint print) { return std::rotl(print, 32); }
+
 /// No edge of M leaves its cube.
 double longest_edge(const Surface& surface) {
   constexpr double rounding = 1e-3;
@@ -48,13 +52,13 @@ LoopSearch::LoopSearch(const Surface& surface, const SurfaceClasses& classes, Si
     : surface_(surface),
       classes_(classes),
       side_(side),
-      steps_(classes.pool.count(), Step{{none, none}, 0, false}),
+      steps_(classes.pool.count()),
       reached_(surface.points.size()),
       queue_(longest_edge(surface)) {}
 
 void LoopSearch::look_for(WantedLoops wanted) {
   wanted_ = std::move(wanted);
-  wanted_own_ = pool_.intern(wanted_.own);
+  wanted_own_ = print_of(wanted_.own);
   ++asked_;
 }
 
@@ -83,6 +87,7 @@ void LoopSearch::begin(std::uint32_t base) {
     current_ = 1;
   }
   settled_ = 0;
+  gave_up_ = false;
   queue_.clear();
   paths_.assign(1, {0.0F, base, {}, none, none, false, false});
   reached_[base] = {current_, 0};
@@ -112,35 +117,52 @@ bool LoopSearch::may_settle(const Path& path, std::uint32_t sheets) const {
 const LoopSearch::Step& LoopSearch::step_of(std::uint32_t label) {
   Step& step = steps_[label];
   if (step.odd_for == current_) return step;
-  if (step.label.own == none) {
+  if (step.odd_for == 0) {  // a label that is met for the first time
     const SplitClass parts = split_class(classes_, side_, classes_.pool.generators(label));
-    step.label = {pool_.intern(parts.own), pool_.intern(parts.other)};
+    step.label = {print_of(parts.own), print_of(parts.other)};
   }
   step.odd_for = current_;
   step.is_odd = false;
-  for (const std::uint32_t generator : pool_.generators(step.label.other))
+  if (crossing_.empty()) return step;
+  const SplitClass parts = split_class(classes_, side_, classes_.pool.generators(label));
+  for (const std::uint32_t generator : parts.other)
     if (std::binary_search(crossing_.begin(), crossing_.end(), generator))
       step.is_odd = !step.is_odd;
   return step;
 }
 
-double LoopSearch::useful_length(std::uint32_t other) {
-  if (other >= useful_.size()) useful_.resize(pool_.count());
-  Useful& useful = useful_[other];
-  if (useful.asked != asked_) useful = {wanted_.useful_length(pool_.generators(other)), asked_};
-  return useful.length;
+double LoopSearch::useful_length(const Closing& closing) {
+  const auto [at, is_new] = met_.try_emplace(closing.other ^ rotated(wanted_own_));
+  Met& met = at->second;
+  if (is_new) {
+    const Curve walk = walk_of(closing);
+    SplitClass parts = split_class(classes_, side_, class_of(surface_, classes_, {&walk, 1}));
+    met = {std::move(parts.own), std::move(parts.other), 0.0, 0};
+  }
+  if (met.asked != asked_) {
+    met.useful_length = met.own == wanted_.own ? wanted_.useful_length(met.other) : 0.0;
+    met.asked = asked_;
+  }
+  return met.useful_length;
 }
 
 /// Settles paths up to half of `bound` and calls close(closing) for every way to close a loop of
 /// the wanted own class, but not of class 0, no longer than `bound` at that time; `close` may lower
 /// it. The middle of a shortest walk lies on an edge whose ends are both settled by then.
 template <class Close>
-void LoopSearch::explore(std::uint32_t base, double& bound, std::uint32_t sheets,
+void LoopSearch::explore(std::uint32_t base, double& bound, const SearchLimits& limits,
                          const Close& close) {
   begin(base);
+  const std::uint32_t sheets = limits.sheets;
+  searched_ = limits.longest;
   while (!queue_.empty()) {
     const BucketQueue::Item nearest = queue_.take();
     if (2.0 * nearest.key > bound) break;
+    if (settled_ >= limits.most_settled) {
+      gave_up_ = true;
+      searched_ = 2.0 * nearest.key;
+      break;
+    }
     const std::uint32_t number = nearest.value;
     if (!may_settle(paths_[number], sheets)) continue;
     paths_[number].is_settled = true;
@@ -157,8 +179,8 @@ void LoopSearch::explore(std::uint32_t base, double& bound, std::uint32_t sheets
                 false};
       if (const std::uint32_t label = classes_.of_edge[edge]; label != 0) {
         const Step& step = step_of(label);
-        path.label = {pool_.sum(path.label.own, step.label.own),
-                      pool_.sum(path.label.other, step.label.other)};
+        path.label.own ^= step.label.own;
+        path.label.other ^= step.label.other;
         path.is_odd = path.is_odd != step.is_odd;
       }
       extend(path, bound, sheets, close);
@@ -171,7 +193,7 @@ void LoopSearch::explore(std::uint32_t base, double& bound, std::uint32_t sheets
 template <class Close>
 void LoopSearch::extend(const Path& path, const double& bound, std::uint32_t sheets,
                         const Close& close) {
-  const std::uint32_t own_back = pool_.sum(path.label.own, wanted_own_);
+  const ClassPrint own_back = path.label.own ^ wanted_own_;
   std::uint32_t same = none;
   std::uint32_t shorter = 0;
   const std::uint32_t first = first_path(path.vertex);
@@ -185,7 +207,7 @@ void LoopSearch::extend(const Path& path, const double& bound, std::uint32_t she
       const double length = double{path.distance} + known.distance;
       if (known.is_odd != path.is_odd) shortest_crossing_ = std::min(shortest_crossing_, length);
       if (known.label.own == own_back && length <= bound)
-        close(Closing{path.parent, p, pool_.sum(path.label.other, known.label.other), length});
+        close(Closing{path.parent, p, path.label.other ^ known.label.other, length});
     }
   }
   if (shorter >= sheets || 2.0 * path.distance > bound) return;
@@ -204,12 +226,12 @@ void LoopSearch::extend(const Path& path, const double& bound, std::uint32_t she
   queue_.push(path.distance, same);
 }
 
-std::optional<FoundLoop> LoopSearch::shortest(std::uint32_t base, double longest) {
+std::optional<FoundLoop> LoopSearch::shortest(std::uint32_t base, const SearchLimits& limits) {
   std::optional<FoundLoop> best;
-  double bound = longest;
+  double bound = limits.longest;
   crossing_ = {};
-  explore(base, bound, 1, [&](const Closing& closing) {
-    if (closing.length >= useful_length(closing.other)) return;
+  explore(base, bound, limits, [&](const Closing& closing) {
+    if (closing.length >= useful_length(closing)) return;
     bound = std::min(bound, closing.length);
     FoundLoop found = loop_of(closing);
     if (!best || found.length < best->length) best = std::move(found);
@@ -222,25 +244,25 @@ SearchResult LoopSearch::shortest_of_each_class(std::uint32_t base, const Search
   crossing_ = crossing;
   shortest_crossing_ = limits.longest;
   std::vector<Closing> closings;
-  std::unordered_map<std::uint32_t, std::size_t> number;  // of each label's closing
+  std::unordered_map<ClassPrint, std::size_t> number;  // of each label's closing
   double bound = limits.longest;
-  explore(base, bound, limits.sheets, [&](const Closing& closing) {
-    if (useful_length(closing.other) == 0.0) return;
+  explore(base, bound, limits, [&](const Closing& closing) {
+    if (useful_length(closing) == 0.0) return;
     const auto [at, is_new] = number.try_emplace(closing.other, closings.size());
     if (is_new)
       closings.push_back(closing);
     else if (closing.length < closings[at->second].length)
       closings[at->second] = closing;
   });
-  SearchResult result{{}, shortest_crossing_, settled_};
+  SearchResult result{{}, std::min(shortest_crossing_, searched_), settled_, searched_};
   for (const Closing& closing : closings) {
     FoundLoop loop = loop_of(closing);
-    if (loop.length < useful_length(closing.other)) result.loops.push_back(std::move(loop));
+    if (loop.length < useful_length(closing)) result.loops.push_back(std::move(loop));
   }
   return result;
 }
 
-FoundLoop LoopSearch::loop_of(const Closing& closing) const {
+Curve LoopSearch::walk_of(const Closing& closing) const {
   // Walk both ends up to where their paths meet; the farther end first.
   std::uint32_t from = closing.from;
   std::uint32_t to = closing.to;
@@ -254,13 +276,17 @@ FoundLoop LoopSearch::loop_of(const Closing& closing) const {
   }
   back.pop_back();
   there.insert(there.end(), back.rbegin(), back.rend());
+  return there;
+}
+
+FoundLoop LoopSearch::loop_of(const Closing& closing) const {
+  Curve walk = walk_of(closing);
   FoundLoop found;
-  const auto generators = pool_.generators(closing.other);
-  found.other.assign(generators.begin(), generators.end());
-  if (visits_twice(there))
-    found.curves = without_repeated_edges(there);
+  found.other = met_.at(closing.other ^ rotated(wanted_own_)).other;
+  if (visits_twice(walk))
+    found.curves = without_repeated_edges(walk);
   else
-    found.curves.push_back(std::move(there));
+    found.curves.push_back(std::move(walk));
   found.length = length_of(surface_, found.curves);
   return found;
 }

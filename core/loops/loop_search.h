@@ -6,11 +6,13 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "core/loops/certificate.h"
 #include "core/sizes/bucket_queue.h"
 #include "core/surface/surface.h"
+#include "core/z2/class_print.h"
 #include "core/z2/label.h"
 
 namespace isoloop {
@@ -32,6 +34,7 @@ struct WantedLoops {
 struct SearchLimits {
   double longest = std::numeric_limits<double>::infinity();  // of a closed walk, with its stem
   std::uint32_t sheets = 1;  // classes of paths kept at each vertex, those of the shortest paths
+  std::uint64_t most_settled = std::numeric_limits<std::uint64_t>::max();  // paths
 };
 
 /// What a search from one vertex came to.
@@ -39,6 +42,7 @@ struct SearchResult {
   std::vector<FoundLoop> loops;    // in the order in which their classes are met
   double shortest_crossing = 0.0;  // see LoopSearch::shortest_of_each_class
   std::uint64_t settled = 0;       // paths: what the search cost
+  double searched = 0.0;           // limits.longest, or less if it gave up: how far it came
 };
 
 /// Dijkstra's search on M that carries classes: a path, an edge and a path back close a loop, and
@@ -56,9 +60,13 @@ class LoopSearch {
   /// To be called before the first search.
   void look_for(WantedLoops wanted);
 
-  /// The shortest useful loop that runs through `base`, or on a stem from it, at most `longest`
-  /// long with the stem; returned without it. On one sheet. Nothing where there is none.
-  std::optional<FoundLoop> shortest(std::uint32_t base, double longest);
+  /// The shortest useful loop that runs through `base`, or on a stem from it, at most
+  /// limits.longest long with the stem; returned without it. On one sheet. Nothing where there is
+  /// none, or none was met before the search gave up.
+  std::optional<FoundLoop> shortest(std::uint32_t base, const SearchLimits& limits);
+
+  /// Whether the last search gave up, with limits.most_settled paths settled.
+  bool gave_up() const { return gave_up_; }
 
   /// How far `vertex` is from the last search's base, along M; infinite where it did not come.
   double distance_to(std::uint32_t vertex) const;
@@ -69,15 +77,15 @@ class LoopSearch {
 
   /// For every class met: the loop of the shortest closed walk from `base`, without its stem, if it
   /// is of use. And the length of the shortest closed walk of any class, useful or not, whose part
-  /// in the other side's homology has an odd number of the generators `crossing`; limits.longest
-  /// where there is none as short as that. One sheet is enough for the latter.
+  /// in the other side's homology has an odd number of the generators `crossing`; `searched` where
+  /// there is none as short as that. One sheet is enough for the latter.
   SearchResult shortest_of_each_class(std::uint32_t base, const SearchLimits& limits,
                                       std::span<const std::uint32_t> crossing = {});
 
  private:
-  struct Label {  // numbers in pool_
-    std::uint32_t own = 0;
-    std::uint32_t other = 0;
+  struct Label {
+    ClassPrint own = 0;
+    ClassPrint other = 0;
     bool operator==(const Label&) const = default;
   };
   /// A path from the base to a vertex: the shortest of its class.
@@ -92,32 +100,35 @@ class LoopSearch {
   };
   struct Step {  // along an edge: what its label comes to for this object
     Label label;
-    std::uint32_t odd_for = 0;  // the search that is_odd is for
     bool is_odd = false;
+    std::uint32_t odd_for = 0;  // the search that is_odd is for
   };
   struct Reached {
     std::uint32_t search = 0;  // that last reached the vertex
     std::uint32_t first = 0;   // path to it
   };
-  struct Useful {
-    double length = 0.0;
-    std::uint32_t asked = 0;  // the call of look_for() that it answers
-  };
   struct Closing {
     std::uint32_t from = 0;  // paths
     std::uint32_t to = 0;
-    std::uint32_t other = 0;  // class: number in pool_
-    double length = 0.0;      // with the stem
+    ClassPrint other = 0;
+    double length = 0.0;  // with the stem
+  };
+  struct Met {  // a class, as its walk's labels sum to it
+    GeneratorSet own;
+    GeneratorSet other;
+    double useful_length = 0.0;
+    std::uint32_t asked = 0;  // the call of look_for() that it answers
   };
 
   template <class Close>
-  void explore(std::uint32_t base, double& bound, std::uint32_t sheets, const Close& close);
+  void explore(std::uint32_t base, double& bound, const SearchLimits& limits, const Close& close);
   template <class Close>
   void extend(const Path& path, const double& bound, std::uint32_t sheets, const Close& close);
   void begin(std::uint32_t base);
   bool may_settle(const Path& path, std::uint32_t sheets) const;
   std::uint32_t first_path(std::uint32_t vertex) const;
-  double useful_length(std::uint32_t other);
+  double useful_length(const Closing& closing);
+  Curve walk_of(const Closing& closing) const;
   const Step& step_of(std::uint32_t label);
   FoundLoop loop_of(const Closing& closing) const;
 
@@ -125,11 +136,10 @@ class LoopSearch {
   const SurfaceClasses& classes_;
   Side side_;
   WantedLoops wanted_;
-  std::uint32_t asked_ = 0;       // calls of look_for()
-  LabelPool pool_;                // parts of classes met so far, by this object
-  std::uint32_t wanted_own_ = 0;  // number in pool_
-  std::vector<Useful> useful_;    // by number in pool_
-  std::vector<Step> steps_;       // by number in classes_.pool
+  std::uint32_t asked_ = 0;  // calls of look_for()
+  ClassPrint wanted_own_ = 0;
+  std::unordered_map<ClassPrint, Met> met_;  // by the print of own and other
+  std::vector<Step> steps_;                  // by number in classes_.pool
   std::span<const std::uint32_t> crossing_;
   std::vector<std::uint32_t> near_;  // by vertex: the call of stay_near() that last allowed it
   std::uint32_t stays_ = 0;          // calls of stay_near()
@@ -139,6 +149,8 @@ class LoopSearch {
   BucketQueue queue_;  // paths by distance
   std::uint32_t current_ = 0;
   std::uint64_t settled_ = 0;  // in this search
+  bool gave_up_ = false;       // this search
+  double searched_ = 0.0;      // see SearchResult
   double shortest_crossing_ = 0.0;
 };
 

@@ -21,10 +21,13 @@ namespace isoloop {
 namespace {
 
 constexpr double any_length = std::numeric_limits<double>::infinity();
-constexpr double noticeable = 0.95;           // gains of less are left to shortening
-constexpr std::size_t starts_per_curve = 16;  // searches that try to shorten a curve
-constexpr std::size_t edges_per_band = 16;    // of a curve, to one edge of the band's half width
-constexpr std::size_t least_band = 2;         // edges, likewise
+constexpr double noticeable = 0.95;             // gains of less are left to shortening
+constexpr double pays = 0.99;                   // what is left by a band that is worth a wider one
+constexpr std::size_t starts_per_curve = 8;     // searches that try to shorten a curve
+constexpr std::size_t edges_per_band = 16;      // of a curve, to one edge of the band's half width
+constexpr std::size_t least_band = 2;           // edges, likewise
+constexpr std::uint64_t settled_nearby = 3000;  // paths, by a search near a killing piece
+constexpr std::uint64_t settled_per_edge_squared = 2;  // paths, by one that goes farther
 
 Vec3 center_of(const Surface& surface, const Loop& loop) {
   Vec3 sum{};
@@ -52,10 +55,8 @@ class LoopFinder {
         kind_(kind_on(surface.boundary, side.complex.side())) {}
 
   Loop find(std::uint32_t i, LoopSearch& search) const {
-    std::vector<Curve> curves = single_curve(i, search);
-    if (curves.empty()) curves = tightened_border(i, search);
     return measured_loop(surface_, kind_, static_cast<int>(i) + 1, side_.pass.killing[i].size,
-                         std::move(curves));
+                         curves_of(i, search));
   }
 
  private:
@@ -79,45 +80,79 @@ class LoopFinder {
     return vertices;
   }
 
-  /// The shortest curve found near killing piece i; empty where there is none that is shorter than
-  /// what the border of its surface comes to at the most.
-  std::vector<Curve> single_curve(std::uint32_t i, LoopSearch& search) const {
-    search.look_for({{}, [&](std::span<const std::uint32_t> other) {
+  /// Near the killing piece first. What is not found there may be long, or of several curves: the
+  /// border of the labels' surface, shortened, then says how far a search has to go.
+  std::vector<Curve> curves_of(std::uint32_t i, LoopSearch& search) const {
+    const double longest = length_of(surface_, closed_curves(side_.borders.of(i)));
+    look_for_loops_of(i, search);
+    Attempt near = single_curve(i, {longest, 1, settled_nearby}, search);
+    if (!near.gave_up && near.curve) return {shortened(*near.curve, search)};
+    std::vector<Curve> border = tightened_border(i, search);
+    if (!near.gave_up) return border;
+    look_for_loops_of(i, search);
+    const double bound = noticeable * length_of(surface_, border);
+    const Attempt far = single_curve(i, {bound, 1, most_settled(border)}, search);
+    if (far.curve) return {shortened(*far.curve, search)};
+    return border;
+  }
+
+  void look_for_loops_of(std::uint32_t i, LoopSearch& search) const {
+    search.look_for({{}, [this, i](std::span<const std::uint32_t> other) {
                        return dies_at(i, other) ? any_length : 0.0;
                      }});
-    double longest = length_of(surface_, closed_curves(side_.borders.of(i)));
-    std::optional<FoundLoop> best;
+  }
+
+  /// For a search that is to find a shorter loop than these curves. A disc as wide as they are long
+  /// has about so many vertices on a plane, and more where M is rough.
+  static std::uint64_t most_settled(std::span<const Curve> curves) {
+    std::uint64_t edges = 0;
+    for (const Curve& curve : curves) edges += curve.size();
+    return std::max(settled_nearby, settled_per_edge_squared * edges * edges);
+  }
+
+  struct Attempt {
+    std::optional<Curve> curve;
+    bool gave_up = false;  // one of the searches
+  };
+
+  /// The shortest curve found near killing piece i within the limits of each search.
+  Attempt single_curve(std::uint32_t i, SearchLimits limits, LoopSearch& search) const {
+    Attempt attempt;
     const std::vector<std::uint32_t> starts = bases(i);
     std::vector<double> least(starts.size());  // length of a loop through each
     for (std::size_t s = 0; s < starts.size(); ++s) {
-      if (least[s] >= noticeable * longest) continue;
-      std::optional<FoundLoop> found = search.shortest(starts[s], longest);
-      const double through = found ? found->length : longest;
+      if (least[s] >= noticeable * limits.longest) continue;
+      std::optional<FoundLoop> found = search.shortest(starts[s], limits);
+      if (search.gave_up()) {
+        attempt.gave_up = true;
+        break;
+      }
+      const double through = found ? found->length : limits.longest;
       for (std::size_t t = s + 1; t < starts.size(); ++t)
         least[t] = std::max(least[t], through - 2.0 * search.distance_to(starts[t]));
-      if (!found || (best && found->length >= best->length)) continue;
-      best = std::move(found);
-      longest = best->length;
+      if (!found || (attempt.curve && found->length >= limits.longest)) continue;
+      limits.longest = found->length;
+      attempt.curve = std::move(found->curves.front());
     }
-    if (!best) return {};
-    return {shortened(best->curves.front(), search)};
+    return attempt;
   }
 
-  /// Searches again from vertices of the curve itself, in a band about it.
+  /// Searches again from vertices of the curve itself, in a band about it that grows while it pays.
   Curve shortened(const Curve& curve, LoopSearch& search) const {
     FoundLoop best{{curve}, length_of(surface_, {&curve, 1}), {}};
-    const auto stay_near_best = [&] {
-      const Curve& now = best.curves.front();
-      search.stay_near(now, std::max(least_band, now.size() / edges_per_band));
-    };
-    stay_near_best();
-    for (std::size_t k = 0; k < starts_per_curve; ++k) {
-      const Curve& now = best.curves.front();
-      std::optional<FoundLoop> found =
-          search.shortest(now[k * now.size() / starts_per_curve], best.length);
-      if (!found || found->length >= best.length) continue;
-      best = std::move(*found);
-      stay_near_best();
+    for (std::size_t band = least_band;; band *= 2) {
+      const double before = best.length;
+      search.stay_near(best.curves.front(), band);
+      for (std::size_t k = 0; k < starts_per_curve; ++k) {
+        const Curve& now = best.curves.front();
+        if (k >= now.size()) break;
+        std::optional<FoundLoop> found = search.shortest(
+            now[k * now.size() / std::min(starts_per_curve, now.size())], {best.length});
+        if (!found || found->length >= best.length) continue;
+        best = std::move(*found);
+        search.stay_near(best.curves.front(), band);
+      }
+      if (best.length > pays * before || band * edges_per_band > best.curves.front().size()) break;
     }
     search.stay_near({}, 0);
     return best.curves.front();
@@ -182,7 +217,7 @@ void set_geodesics(const Surface& surface, Loop& loop, std::vector<Geodesic> geo
   loop.center_index = center_of(surface, loop);
 }
 
-std::vector<std::vector<Vec3>> drawn_curves(const Surface& surface, const Loop& loop) {
+std::vector<std::vector<Vec3>> drawn_curves(const SurfaceMesh& surface, const Loop& loop) {
   std::vector<std::vector<Vec3>> drawn;
   for (const Geodesic& geodesic : loop.geodesics) {
     drawn.emplace_back();

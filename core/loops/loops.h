@@ -3,26 +3,19 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "core/complex/grid_complex.h"
+#include "core/curves/curve.h"
 #include "core/curves/geodesic.h"
 #include "core/engines/dual_pass.h"
-#include "core/grid/grid.h"
 #include "core/loops/certificate.h"
 #include "core/loops/killing_border.h"
 #include "core/surface/surface.h"
 #include "core/z2/z2_basis.h"
+#include "isoloop/loop.h"
 
 namespace isoloop {
-
-/// A handle loop bounds in I (cut there to remove the handle), a tunnel loop in O (fill there).
-/// With an open boundary the sides are not told apart, and every loop is a `loop`.
-enum class LoopKind { handle, tunnel, loop };
-
-/// "handle loop", "tunnel loop" or "loop".
-std::string name_of(LoopKind kind);
 
 /// The side of M from which classes are seen (split_class) so that the own part of those of a kind
 /// vanishes: the side on which they bound, and either where the sides are not told apart.
@@ -36,38 +29,12 @@ constexpr LoopKind kind_on(Boundary boundary, Side side) {
   return side == Side::inside ? LoopKind::handle : LoopKind::tunnel;
 }
 
-/// What was proved of a loop: that its class in H1(M) is not 0 and independent of those of the
-/// other loops; and, unless its kind is `loop`, whether it vanishes in H1(I) and in H1(O).
-struct LoopCertificate {
-  bool nontrivial_on_surface = false;
-  bool trivial_inside = false;
-  bool trivial_outside = false;
-};
-
-/// A cycle on M, maybe of several closed curves.
-struct Loop {
-  LoopKind kind = LoopKind::handle;
-  int id = 0;                 // 1, 2, ... within its kind, by size
-  double size = 0.0;          // g(t), unit of the spacing; infinite if t joins two components of M
-  double length = 0.0;        // of all curves, or geodesics; unit of the spacing
-  double found_length = 0.0;  // of the loop that was found near the killing piece
-  std::uint32_t component = 0;        // of M, of the first curve
-  Vec3 center_index{};                // mean of the points, weighted by arc length; voxel indices
-  std::vector<Curve> curves;          // along edges of M: what is certified
-  std::vector<Geodesic> geodesics{};  // empty, or what the curves shorten to, one by one
-  LoopCertificate certificate;
-};
-
 /// A loop with its measures; not certified. `size`: unit of the spacing. `curves`: not empty.
 Loop measured_loop(const Surface& surface, LoopKind kind, int id, double size,
                    std::vector<Curve> curves);
 
 /// Gives the loop the geodesics that its curves shorten to, and measures it anew.
 void set_geodesics(const Surface& surface, Loop& loop, std::vector<Geodesic> geodesics);
-
-/// The points of each closed curve as it is drawn, in voxel indices: of the geodesics if there are
-/// any, else of the curves.
-std::vector<std::vector<Vec3>> drawn_curves(const Surface& surface, const Loop& loop);
 
 /// One side of M as far as the passes have brought it.
 struct SolvedSide {

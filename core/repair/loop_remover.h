@@ -15,15 +15,9 @@
 #include "core/repair/membrane.h"
 #include "core/repair/voxel_values.h"
 #include "core/z2/label.h"
+#include "isoloop/repair.h"
 
 namespace isoloop {
-
-/// A voxel, numbered in scan order, and what it becomes.
-struct VoxelChange {
-  std::size_t voxel = 0;
-  double before = 0.0;  // unit of the voxel values
-  double after = 0.0;
-};
 
 /// A loop as a removal sees it: its class, and where it runs.
 struct LoopSite {

@@ -38,9 +38,10 @@ std::vector<Target> named_targets(const std::vector<Target>& all, const RepairRe
       return target.name.kind == name.kind && target.name.id == name.id;
     });
     if (found == all.end()) {
-      throw InvalidArgument("there is no " + text_of(name) + ": the surface has " +
-                            std::to_string(all.size() / 2) +
-                            " handle loops and as many tunnel loops");
+      throw InvalidArgument(
+          {.text = "there is no " + text_of(name) + ": the surface has " +
+                   std::to_string(all.size() / 2) + " handle loops and as many tunnel loops"},
+          Option::loops);
     }
     targets.push_back(*found);
   }
@@ -315,8 +316,9 @@ std::string text_of(const LoopName& loop) {
 Repair repair_loops(const AnyGridView& grid, const IsoLevel& level, const RepairRequest& request,
                     const AnalysisOptions& options) {
   if (options.boundary == Boundary::open) {
-    throw InvalidArgument(
-        "with an open boundary handles and tunnels are not told apart, so none can be removed");
+    throw InvalidArgument({.text = "with an open boundary handles and tunnels are not told apart, "
+                                   "so none can be removed"},
+                          Option::boundary);
   }
   check_memory("repair", value_bytes(grid), options.max_bytes);
   return Repairer(grid, level, request, options).run();

@@ -14,6 +14,7 @@
 
 #include "core/base/disjoint_sets.h"
 #include "core/base/errors.h"
+#include "core/base/memory_budget.h"
 #include "core/base/run_both.h"
 #include "core/grid/lattice.h"
 #include "core/grid/level.h"
@@ -74,8 +75,10 @@ Lattice padded_lattice(const Index3& dims) {
   for (int a = 0; a < 3; ++a) {
     const auto extent = static_cast<std::uint64_t>(dims[a]) + 2;
     if (extent > max_lattice_vertices || count * extent > max_lattice_vertices)
-      throw LimitExceeded("the volume has more than " + std::to_string(max_lattice_vertices) +
-                          " voxels: crop it or halve its resolution");
+      throw LimitExceeded(
+          {.text = "the volume has more than " + std::to_string(max_lattice_vertices) + " voxels",
+           .advice = {Advice::take_part, Advice::halve_resolution}},
+          {.unit = Excess::Unit::voxels, .limit = max_lattice_vertices});
     count *= extent;
     padded[a] = static_cast<std::uint32_t>(extent);
   }
@@ -84,11 +87,13 @@ Lattice padded_lattice(const Index3& dims) {
 
 void check_iso_values(std::span<const double> values) {
   if (values.empty() || values.size() > max_scan_values)
-    throw InvalidArgument("a scan takes 1 to " + std::to_string(max_scan_values) +
-                          " iso values, not " + std::to_string(values.size()));
+    throw InvalidArgument({.text = "a scan takes 1 to " + std::to_string(max_scan_values) +
+                                   " iso values, not " + std::to_string(values.size())},
+                          Option::iso);
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!std::isfinite(values[i]) || (i > 0 && values[i] <= values[i - 1]))
-      throw InvalidArgument("the iso values of a scan must be finite and ascend");
+      throw InvalidArgument({.text = "the iso values of a scan must be finite and ascend"},
+                            Option::iso);
 }
 
 /// Number of the first steps at which the value is inside. `isos` by step.
@@ -107,7 +112,8 @@ class Scanner {
     std::int64_t count = 1;
     for (const std::int64_t n : grid.dims) count *= n;
     if (count <= 0 || static_cast<std::int64_t>(grid.values.size()) != count)
-      throw InvalidArgument("the grid's dimensions do not fit its number of voxels");
+      throw InvalidArgument({.text = "the grid's dimensions do not fit its number of voxels"},
+                            Option::dims);
     ranked_.lattice = padded_lattice(grid.dims);
     constexpr std::uint64_t bytes_per_voxel = 16;
     check_memory("scan", bytes_per_voxel * ranked_.lattice.vertex_count(), options.max_bytes);
@@ -162,9 +168,12 @@ class Scanner {
     });
     for (std::size_t z = 0; z < first_nan.size(); ++z)
       if (first_nan[z] != none)
-        throw InvalidInput("voxel (" + std::to_string(first_nan[z] % grid_.dims[0]) + ", " +
-                           std::to_string(first_nan[z] / grid_.dims[0]) + ", " + std::to_string(z) +
-                           ") is NaN: give a value to put in its place");
+        throw InvalidInput(
+            {.place = "voxel (" + std::to_string(first_nan[z] % grid_.dims[0]) + ", " +
+                      std::to_string(first_nan[z] / grid_.dims[0]) + ", " + std::to_string(z) + ")",
+             .text = "NaN",
+             .advice = {Advice::replace_nan}},
+            Fault::not_finite);
   }
 
   IsoLevel level_at(Step step) const {

@@ -7,37 +7,16 @@
 // values (core/scan/cube_sweep.h). b1 follows from the three: b0 - b1 + b2 is half of it.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
-#include "core/base/memory_budget.h"
-#include "core/base/progress.h"
-#include "core/grid/grid.h"
-#include "core/surface/betti.h"
+#include "isoloop/grid.h"
+#include "isoloop/scan.h"
 
 namespace isoloop {
 
-struct ScanOptions {
-  InsideRule inside = InsideRule::above;
-  Topology topology = Topology::trilinear;
-  Progress progress{};                        // may be empty
-  std::uint64_t max_bytes = unlimited_bytes;  // to hold beside the grid's voxels
-};
-
-/// What count_topology() finds at one iso value, M closed.
-struct ScanRow {
-  double iso = 0.0;  // unit of the voxel values
-  Betti betti;
-  std::int64_t euler = 0;  // of M
-  std::int64_t genus = 0;  // of M, all components together: b1
-  std::int64_t inside_voxels = 0;
-};
-
-/// Most iso values in one scan.
-inline constexpr std::size_t max_scan_values = 65'000;
-
-/// One row for each iso value, in their order: strictly ascending, finite. Takes about 16 bytes a
+/// One row for each iso value, in their order: strictly ascending, finite. On the threads that the
+/// caller has, whatever options.threads says. Takes about 16 bytes a
 /// voxel, and 4 for each face whose corners' values can alternate. Throws InvalidArgument (iso
 /// values, dimensions), InvalidInput (NaN in the grid), LimitExceeded over max_lattice_vertices or
 /// where it takes more than options.max_bytes, SelfCheckFailed where the counts contradict each

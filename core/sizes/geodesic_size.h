@@ -11,15 +11,9 @@
 #include "core/surface/edge_index.h"
 #include "core/surface/edge_set.h"
 #include "core/surface/surface.h"
+#include "isoloop/loop.h"
 
 namespace isoloop {
-
-/// exact: Dijkstra on M for every pair, the paper's definition to the letter.
-/// hierarchy: exact up to five voxels; beyond that on ever coarser clusters of M's vertices, whose
-/// straight links cut corners about as much as they zigzag: 0.97 to 1.05 times the exact size on
-/// the mean on a torus, a plate, a lattice, a gyroid and smoothed noise, with a standard deviation
-/// of about 0.12. Beyond 64 voxels on smoothed noise 1.10.
-enum class GeodesicMode { exact, hierarchy };
 
 /// A size for each grid edge: half a byte a lattice vertex, and four for each that is not 0. Far
 /// from M, and about its medial axis, many edges are within the reach of one vertex of M.
@@ -51,7 +45,10 @@ struct EdgeSizes {
   std::vector<float> of_outside_half;  // by vertex of M: of its grid edge's outside half
 };
 
-/// g of Dey, Li, Sun, Cohen-Steiner (SIGGRAPH 2008), section 4. `closest`: by lattice vertex.
+/// g of Dey, Li, Sun, Cohen-Steiner (SIGGRAPH 2008), section 4. `closest`: by lattice vertex. The
+/// hierarchy's sizes are 0.97 to 1.05 times the exact ones on the mean on a torus, a plate, a
+/// lattice, a gyroid and smoothed noise, with a standard deviation of about 0.12; beyond 64 voxels
+/// on smoothed noise 1.10.
 EdgeSizes geodesic_sizes(const Sides& sides, const EdgeIndex& edges, const Surface& surface,
                          std::span<const std::uint32_t> closest, GeodesicMode mode);
 

@@ -59,7 +59,8 @@ EdgeSet::BlockBits cut_edges(const Sides& sides, std::uint32_t b) {
 EdgeIndex::EdgeIndex(const Sides& sides)
     : cut_(sides.lattice.vertex_count(), [&](std::uint32_t b) { return cut_edges(sides, b); }) {
   if (count() > std::numeric_limits<std::uint32_t>::max() / 12)
-    throw LimitExceeded("the surface has too many vertices for 32-bit indices: crop the volume");
+    throw LimitExceeded({.text = "the surface has too many vertices for 32-bit indices",
+                         .advice = {Advice::take_part}});
   number_.resize(count());
   std::vector<std::uint64_t> places(count());
   const int bits = brick_bits(sides.lattice);

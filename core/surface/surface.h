@@ -1,40 +1,23 @@
 // M: the oriented, triangulated iso-surface, with its edge graph.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "core/cube/sides.h"
-#include "core/grid/grid.h"
 #include "core/surface/edge_graph.h"
 #include "core/surface/edge_index.h"
+#include "isoloop/surface.h"
 
 namespace isoloop {
 
-/// One connected component of M: euler = 2 - 2 genus - borders.
-struct SurfaceComponent {
-  std::int64_t vertices = 0;
-  std::int64_t triangles = 0;
-  std::int64_t euler = 0;
-  std::int64_t genus = 0;
-  std::int64_t borders = 0;    // closed curves along which it ends at the border of the grid
-  bool bounds_cavity = false;  // I lies around it, not within it; false with an open boundary
-
-  std::int64_t betti1() const { return 2 * genus + std::max<std::int64_t>(borders - 1, 0); }
-};
-
-struct Surface {
-  /// In voxel indices of the grid. First those that lie strictly within one grid edge each,
-  /// numbered by EdgeIndex; then, strictly within a cube each, the rings round tunnels
-  /// (ring_vertex()).
-  std::vector<std::array<float, 3>> points;
+/// The mesh with what it was made from. Its points are first those that lie strictly within one
+/// grid edge each, numbered by EdgeIndex; then, strictly within a cube each, the rings round
+/// tunnels (ring_vertex()).
+struct Surface : SurfaceMesh {
   /// The grid edge (Sides' lattice) that each of the first vertices cuts.
   std::vector<std::uint32_t> grid_edges;
-  /// Corners in points, counter-clockwise seen from O. Each directed edge occurs once.
-  std::vector<std::array<std::uint32_t, 3>> triangles;
   /// The cube of the lattice that holds each triangle; ascending.
   std::vector<std::uint32_t> triangle_cubes;
   /// One patch of a cube that is a disc is one polygon; its triangles are consecutive. Where M is
@@ -43,12 +26,8 @@ struct Surface {
   std::int64_t polygons = 0;
   /// Edges of one triangle only, directed as in it; none where M is closed.
   std::vector<std::array<std::uint32_t, 2>> border_edges;
-  Boundary boundary = Boundary::closed;
   /// Edge graph: each edge of M in both directions, with its length.
   EdgeGraph graph;
-  std::vector<std::uint32_t> component_of_vertex;
-  std::vector<SurfaceComponent> components;  // in the order of their first vertex
-  Vec3 spacing{1.0, 1.0, 1.0};               // length per voxel: the unit of every length on M
 
   std::int64_t euler() const;
   std::int64_t genus() const;

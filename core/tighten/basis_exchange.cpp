@@ -24,7 +24,7 @@ std::vector<SearchCost> BasisExchange::search(std::span<const SearchStart> start
   std::vector<SearchCost> costs;
   const std::size_t rank = members_.size();
   for (SearchResult& result : results) {
-    costs.push_back({result.settled, result.shortest_crossing});
+    costs.push_back({result.settled, result.shortest_crossing, result.searched});
     for (FoundLoop& loop : result.loops)
       members_.push_back({std::move(loop.curves), loop.length, std::move(loop.other)});
   }

@@ -33,6 +33,7 @@ struct SearchStart {
 struct SearchCost {
   std::uint64_t settled = 0;       // paths
   double shortest_crossing = 0.0;  // see LoopSearch::shortest_of_each_class
+  double searched = 0.0;           // the longest loops that it can have met
 };
 
 /// Always holds the shortest basis that can be made of the members it began with and the loops that

@@ -15,6 +15,9 @@ constexpr std::size_t least_batch = 16;   // searches between two looks at the e
 constexpr std::size_t most_batches = 32;  // of one search from each loop: each looks at all members
 constexpr std::size_t own_starts = 8;     // searches that try to shorten a curve that was exchanged
 constexpr int most_rounds = 8;
+constexpr std::uint64_t least_settled = 1000;  // paths, by a first search from one of each
+constexpr std::uint64_t farther = 4;           // times as many, by the next one
+constexpr double share_of_a_round = 0.2;       // of the effort, for those that go farther
 
 /// A loop of the other kind, as what this side's loops have to cross.
 struct Crossed {
@@ -123,54 +126,89 @@ class Shortening {
   /// From one vertex of each of `crossed` at first, which tells what a search costs there, then
   /// from as many as the effort allows. Says whether the basis got shorter.
   bool search_across() {
-    const std::vector<double> longest = replaceable(exchange_.members(), crossed_);
-    std::vector<std::uint32_t> open;
-    for (std::uint32_t j = 0; j < crossed_.size(); ++j)
-      if (longest[j] > crossed_[j].searched) open.push_back(j);
-    std::stable_sort(open.begin(), open.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return longest[a] < longest[b]; });
     const double before = total();
-    std::vector<SearchCost> cost;
-    for (std::size_t done = 0; done < open.size() && left_ > 0.0; done = cost.size()) {
-      std::vector<SearchStart> pilots;
-      for (std::size_t o = done; o < std::min(done + batch_, open.size()); ++o)
-        pilots.push_back(start_at(open[o], 0, longest[open[o]], 1));
-      const std::vector<SearchCost> costs = search(pilots);
-      cost.insert(cost.end(), costs.begin(), costs.end());
-    }
-    open.resize(cost.size());
-    const std::vector<std::size_t> count = plan(open, cost, longest);
+    const std::vector<Searched> pilots = search_from_one_of_each();
+    const std::vector<std::size_t> count = plan(pilots);
     std::vector<Searched> searched;
     double planned = 1.0;
-    for (std::size_t o = 0; o < open.size(); ++o) {
-      searched.push_back({open[o], count[o], longest[open[o]], cost[o].shortest_crossing});
-      planned += static_cast<double>(cost[o].settled * count[o]);
+    for (std::size_t o = 0; o < pilots.size(); ++o) {
+      searched.push_back(pilots[o]);
+      searched.back().count = count[o];
+      planned += static_cast<double>(pilots[o].cost.settled * count[o]);
     }
     search_from(searched,
                 static_cast<std::uint32_t>(std::clamp(left_ / planned, 1.0, double{most_sheets})));
     return total() < before;
   }
 
+  /// What is searched from vertices of crossed_[of].
+  struct Searched {
+    std::uint32_t of = 0;
+    std::size_t count = 0;  // of the vertices
+    double longest = 0.0;   // loop looked for
+    SearchCost cost;        // of the search from the first vertex
+  };
+
+  /// Near each of `crossed` first, then farther from fewer of those that were not searched to the
+  /// end, for the longest members: these give way to loops that are met on the way, and with them
+  /// goes the need to search far.
+  std::vector<Searched> search_from_one_of_each() {
+    std::vector<Searched> done;
+    std::vector<bool> is_open(crossed_.size(), true);
+    const double share = left_ * share_of_a_round;
+    for (std::uint64_t settled = least_settled; left_ > 0.0; settled *= farther) {
+      const std::vector<double> longest = replaceable(exchange_.members(), crossed_);
+      std::vector<std::uint32_t> open;
+      for (std::uint32_t j = 0; j < crossed_.size(); ++j)
+        if (is_open[j] && longest[j] > crossed_[j].searched) open.push_back(j);
+      if (open.empty()) break;
+      std::stable_sort(open.begin(), open.end(),
+                       [&](std::uint32_t a, std::uint32_t b) { return longest[a] > longest[b]; });
+      const auto affordable = static_cast<std::size_t>(share / static_cast<double>(settled));
+      if (settled > least_settled) open.resize(std::min(open.size(), affordable));
+      if (open.empty()) break;
+      search_from_first(open, longest, settled, is_open, done);
+    }
+    return done;
+  }
+
+  void search_from_first(const std::vector<std::uint32_t>& open, const std::vector<double>& longest,
+                         std::uint64_t settled, std::vector<bool>& is_open,
+                         std::vector<Searched>& done) {
+    for (std::size_t begin = 0; begin < open.size() && left_ > 0.0; begin += batch_) {
+      std::vector<SearchStart> starts;
+      for (std::size_t o = begin; o < std::min(begin + batch_, open.size()); ++o) {
+        starts.push_back(start_at(open[o], 0, longest[open[o]], 1));
+        starts.back().limits.most_settled = settled;
+      }
+      const std::vector<SearchCost> costs = search(starts);
+      for (std::size_t s = 0; s < costs.size(); ++s) {
+        const std::uint32_t j = open[begin + s];
+        is_open[j] = costs[s].searched < longest[j];
+        if (!is_open[j]) done.push_back({j, 1, longest[j], costs[s]});
+      }
+    }
+  }
+
   /// How many vertices of each to start from: all, or in proportion to its length over that of the
   /// loops looked for, for the lengths of the shortest loops through two vertices differ by no more
   /// than twice their distance.
-  std::vector<std::size_t> plan(const std::vector<std::uint32_t>& open,
-                                const std::vector<SearchCost>& cost,
-                                const std::vector<double>& longest) const {
+  std::vector<std::size_t> plan(const std::vector<Searched>& pilots) const {
     const auto counts = [&](double density) {
       std::vector<std::size_t> count;
-      for (const std::uint32_t j : open) {
-        const auto most = static_cast<double>(crossed_[j].vertices.size());
+      for (const Searched& one : pilots) {
+        const Crossed& crossed = crossed_[one.of];
+        const auto most = static_cast<double>(crossed.vertices.size());
         count.push_back(static_cast<std::size_t>(
-            std::clamp(density * crossed_[j].length / longest[j], 1.0, most)));
+            std::clamp(density * crossed.length / one.longest, 1.0, most)));
       }
       return count;
     };
     const auto is_affordable = [&](double density) {
       double sum = 0.0;
       const std::vector<std::size_t> count = counts(density);
-      for (std::size_t o = 0; o < open.size(); ++o)
-        sum += static_cast<double>(cost[o].settled * (count[o] - 1));
+      for (std::size_t o = 0; o < pilots.size(); ++o)
+        sum += static_cast<double>(pilots[o].cost.settled * (count[o] - 1));
       return sum <= left_;
     };
     double low = 0.0;
@@ -182,14 +220,6 @@ class Shortening {
     }
     return counts(low);
   }
-
-  /// What is searched from vertices of crossed_[of].
-  struct Searched {
-    std::uint32_t of = 0;
-    std::size_t count = 0;   // of the vertices
-    double longest = 0.0;    // loop looked for
-    double least_met = 0.0;  // from the first vertex
-  };
 
   void search_from(const std::vector<Searched>& searched, std::uint32_t sheets) {
     std::vector<SearchStart> starts;
@@ -205,7 +235,7 @@ class Shortening {
         from.push_back(one.of);
       }
       crossed.searched = one.longest;
-      crossed.least_met = one.least_met;
+      crossed.least_met = one.cost.shortest_crossing;
       crossed.gap = longest_gap(crossed, started);
     }
     const std::vector<SearchCost> costs = search(starts);

@@ -15,7 +15,7 @@ namespace isoloop {
 /// vertex of M. A search that has begun is brought to its end.
 struct BasisEffort {
   double settled = 3e5;
-  double settled_per_vertex = 6.0;
+  double settled_per_vertex = 10.0;
 };
 
 /// All g loops of one kind, certified, and border_classes() of the side on which they bound.

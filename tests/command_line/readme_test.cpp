@@ -16,6 +16,7 @@
 #include "tests/samples/real_data.h"
 #include "tests/samples/run_process.h"
 #include "tests/samples/scratch_directory.h"
+#include "volume/base/file_kind.h"
 
 namespace isoloop {
 namespace {
@@ -114,24 +115,8 @@ TEST(Readme, CommandsOnTheEnginePrintWhatIsShown) {
   expect_examples_to_hold(name, scratch.path());
 }
 
-TEST(Readme, ProgramIsTheOneThatIsCompiled) {
-  EXPECT_EQ(blocks_of("cpp"), Words{text_of(fs::path(ISOLOOP_SOURCE) / "tests" / "command_line" /
-                                            "readme_sample.cpp")});
-}
-
-TEST(Readme, ProgramFindsTheLoopsOfATorus) {
-  const ScratchDirectory scratch;
-  ASSERT_EQ(
-      run_isoloop(scratch.path(), {"generate", "torus", "--size", "32", "-o", "t.vdb"}).exit_code,
-      0);
-  const ProcessResult result = run_program(ISOLOOP_README_SAMPLE, scratch.path(), {"t.vdb"});
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-  const Words lines = split(result.out, '\n');
-  ASSERT_EQ(lines.size(), 3U) << result.out;
-  EXPECT_EQ(lines[0], "1 components, 1 tunnels, 0 cavities");
-  EXPECT_TRUE(lines[1].starts_with("handle loop, cut at "));
-  EXPECT_TRUE(lines[2].starts_with("tunnel loop, fill at "));
-  EXPECT_EQ(run_program(ISOLOOP_README_SAMPLE, scratch.path(), {"none.vdb"}).exit_code, 3);
+TEST(Readme, ProgramIsTheExampleThatIsCompiled) {
+  EXPECT_EQ(blocks_of("cpp"), Words{text_of(fs::path(ISOLOOP_SOURCE) / "examples" / "loops.cpp")});
 }
 
 std::set<std::string> flags_in(const std::string& text) {
@@ -157,6 +142,23 @@ TEST(Manual, ExplainsEveryFlagAndNoOther) {
   std::set<std::string> shown = flags_in(readme());
   shown.erase("--rivals");  // of a script
   EXPECT_TRUE(std::includes(known.begin(), known.end(), shown.begin(), shown.end()));
+}
+
+TEST(Manual, AndTheHelpNameEveryExtensionOfTheTableOfFormats) {
+  const ScratchDirectory scratch;
+  const std::string text = manual();
+  const std::string read_help = run_isoloop(scratch.path(), {"info", "-h"}).out;
+  const std::string write_help = run_isoloop(scratch.path(), {"generate", "-h"}).out +
+                                 run_isoloop(scratch.path(), {"loops", "-h"}).out;
+  for (const FileFormat& format : file_formats()) {
+    for (const std::string_view extension : format.extensions) {
+      if (extension.empty()) continue;
+      EXPECT_NE(text.find("`" + std::string(extension) + "`"), std::string::npos) << extension;
+      EXPECT_NE(read_help.find(extension), std::string::npos) << extension;
+    }
+    if (format.written == Written::no) continue;
+    EXPECT_NE(write_help.find(format.extensions[0]), std::string::npos) << format.name;
+  }
 }
 
 void collect_keys(const Json& json, std::set<std::string>& keys) {

@@ -217,7 +217,8 @@ void write_vdb_seeds() {
     write_seed("vdb_message", name, message.str());
   }
   std::ostringstream error;
-  send_error(error, VdbErrorKind::input, "a.vdb: no");
+  const Finding finding{.file = "a.vdb", .text = "no"};
+  send_error(error, InvalidInput(finding));
   write_seed("vdb_message", "error", error.str());
 }
 

@@ -42,8 +42,8 @@ Surface torus_surface() {
 
 }  // namespace
 
-RunResult torus_run() {
-  RunResult run;
+LoopsResult torus_run() {
+  LoopsResult run;
   run.file = "torus.raw";
   run.volume = sample_volume();
   run.range = {-1.0, 2.0};
@@ -78,8 +78,8 @@ RunResult torus_run() {
   return run;
 }
 
-RunResult torus_run_with_features() {
-  RunResult run = torus_run();
+LoopsResult torus_run_with_features() {
+  LoopsResult run = torus_run();
   run.with_features = true;
   run.features = {{.area = 4.0,
                    .axis = {0.0, 1.0, 0.0},
@@ -96,8 +96,8 @@ RunResult torus_run_with_features() {
   return run;
 }
 
-RunResult open_run() {
-  RunResult run = torus_run();
+LoopsResult open_run() {
+  LoopsResult run = torus_run();
   Surface& surface = run.analysis.surface;
   surface.boundary = Boundary::open;
   surface.triangles.resize(12);  // six for each angle round the axis
@@ -116,8 +116,8 @@ RunResult open_run() {
   return run;
 }
 
-RunResult empty_run() {
-  RunResult run;
+LoopsResult empty_run() {
+  LoopsResult run;
   run.file = "torus.raw";
   run.volume = sample_volume();
   run.range = {-1.0, 2.0};

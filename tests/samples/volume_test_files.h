@@ -1,6 +1,7 @@
 // Files for the tests of volume/: a folder that goes away, bytes in and out.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -9,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/errors.h"
 #include "tests/samples/real_data.h"
 
 namespace isoloop::test {
@@ -58,6 +60,23 @@ std::string message_of(const Action& action) {
   }
   ADD_FAILURE() << "nothing was thrown";
   return {};
+}
+
+/// The Error itself, with its data.
+template <class Error, class Action>
+Error error_of(const Action& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error;
+  }
+  ADD_FAILURE() << "nothing was thrown";
+  return Error("nothing was thrown");
+}
+
+/// Whether the advice is among what may be done.
+inline bool advises(const Finding& finding, Advice advice) {
+  return std::find(finding.advice.begin(), finding.advice.end(), advice) != finding.advice.end();
 }
 
 inline bool contains(const std::string& text, const std::string& part) {

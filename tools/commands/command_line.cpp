@@ -77,7 +77,8 @@ int run_command_line(const std::vector<std::string>& arguments) noexcept {
     parse_and_run(arguments);
     return static_cast<int>(ExitCode::done);
   } catch (...) {
-    const Failure failure = failure_of(std::current_exception());
+    const std::string command = arguments.empty() ? "" : arguments[0];
+    const Failure failure = failure_of(std::current_exception(), command);
     if (std::find(arguments.begin(), arguments.end(), "--log-json") != arguments.end()) {
       std::cerr << error_event(failure) << '\n';
     } else {

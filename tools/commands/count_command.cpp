@@ -1,7 +1,5 @@
 #include "tools/commands/count_command.h"
 
-#include <chrono>
-#include <iostream>
 #include <memory>
 #include <string>
 
@@ -13,6 +11,7 @@
 #include "tools/runs/mesh_comparison.h"
 #include "tools/runs/output_files.h"
 #include "tools/runs/read_run.h"
+#include "tools/runs/report_run.h"
 #include "tools/words/flag_checks.h"
 #include "tools/words/number_text.h"
 #include "tools/words/progress.h"
@@ -28,7 +27,7 @@ struct CountFlags {
 };
 
 /// A mask's hint says what the flags that it names would count.
-void complete_hint(RunResult& run) {
+void complete_hint(RunInput& run) {
   if (run.hint.empty()) return;
   const IsoLevel level{.iso = run.range.max, .topology = Topology::connected_26};
   try {
@@ -41,27 +40,26 @@ void complete_hint(RunResult& run) {
   }
 }
 
-void count(const CountFlags& flags) {
-  const auto start = std::chrono::steady_clock::now();
-  OutputFiles outputs(flags.volume.file);
-  outputs.add("--json", flags.json, write_json);
-  ProgressLine progress(std::cerr, progress_options(flags.progress));
-  RunResult run = read_run(flags.volume, flags.level);
-  run.with_loops = false;
+CountResult counted_run(const CountFlags& flags, const Progress& progress) {
+  CountResult run{read_run(flags.volume, flags.level)};
   complete_hint(run);
   run.analysis = count_topology(view(run.volume), run.level,
                                 {.boundary = boundary_of(flags.level),
-                                 .progress = progress.callback(),
+                                 .progress = progress,
                                  .max_bytes = run.cost.max_bytes});
   check_counts(run.analysis);
-  run.cost.total_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  run.cost.peak_bytes = peak_resident_bytes();
-  progress.clear();
-  compare_with_mesh(run, run.analysis);
-  outputs.write(run);
-  if (!outputs.uses_stdout()) write_table(std::cout, run);
-  finish_stdout();
+  return run;
+}
+
+void count(const CountFlags& flags) {
+  CountResult run;
+  OutputFiles outputs(flags.volume.file);
+  outputs.add("--json", flags.json, report_of(run, write_count_json));
+  run_and_report<CountResult>(
+      flags.progress, outputs, run,
+      {.run = [&](const Progress& progress) { return counted_run(flags, progress); },
+       .settle = [](CountResult& counted) { compare_with_mesh(counted, counted.analysis); },
+       .table = write_count_table});
 }
 
 }  // namespace

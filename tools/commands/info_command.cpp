@@ -14,6 +14,7 @@
 #include "tools/runs/output_files.h"
 #include "tools/runs/read_run.h"
 #include "tools/words/number_text.h"
+#include "tools/words/sentence.h"
 #include "tools/words/value_hints.h"
 #include "volume/base/memory_limit.h"
 
@@ -61,7 +62,7 @@ void write_info(std::ostream& out, const VolumeFlags& flags, const Volume& volum
                            : "no: --iso must be stated, --inside is above unless stated otherwise")
       << '\n';
   if (volume.mesh) out << "mesh       " << mesh_text(*volume.mesh) << '\n';
-  for (const std::string& note : volume.notes) out << "note       " << note << '\n';
+  for (const std::string& note : sentences_of(volume.notes)) out << "note       " << note << '\n';
   if (is_mask(range) && !volume.level_set && flags.label.empty()) {
     out << "note       " << mask_hint(range) << '\n';
   }

@@ -25,8 +25,8 @@
 #include "tools/runs/loops_run.h"
 #include "tools/runs/mesh_comparison.h"
 #include "tools/runs/output_files.h"
+#include "tools/runs/report_run.h"
 #include "tools/words/flag_checks.h"
-#include "tools/words/progress.h"
 #include "volume/base/file_kind.h"
 #include "volume/files/write.h"
 
@@ -81,31 +81,31 @@ FeatureOptions feature_options(const LoopsFlags& flags) {
   return options;
 }
 
-void add_labels(OutputFiles& outputs, const std::string& name) {
+void add_labels(OutputFiles& outputs, const std::string& name, const LoopsResult& run) {
   if (!is_written(name)) {
     throw InvalidArgument("--labels " + name + ": volumes are written as " + written_extensions());
   }
   // OpenVDB takes floats, all of them and in its tree.
-  const std::uint64_t writer_bytes_per_voxel = file_kind(name) == FileKind::vdb ? 8 : 0;
-  outputs.add("--labels", name, [=](std::ostream& out, const RunResult& run) {
+  const bool as_floats = file_format(name)->written == Written::as_floats;
+  const std::uint64_t writer_bytes_per_voxel = as_floats ? 8 : 0;
+  outputs.add("--labels", name, [&run, writer_bytes_per_voxel, name](std::ostream& out) {
     write_volume(out, label_volume(run, writer_bytes_per_voxel), name);
   });
 }
 
-OutputFiles outputs_of(const LoopsFlags& flags) {
+/// The reports of `run`, which is yet to be made.
+OutputFiles outputs_of(const LoopsFlags& flags, const LoopsResult& run) {
   OutputFiles outputs(flags.input.volume.file);
-  outputs.add("--json", flags.json, write_json);
-  outputs.add("--csv", flags.csv, write_csv);
-  outputs.add("--ply", flags.ply,
-              [](std::ostream& out, const RunResult& run) { write_ply(out, run); });
-  outputs.add("--html", flags.html, [&flags](std::ostream& out, const RunResult& run) {
-    write_page(out, run, flags.page);
-  });
-  for (const std::string& name : flags.curves) outputs.add("--curves", name, curves_report(name));
+  outputs.add("--json", flags.json, report_of(run, write_json));
+  outputs.add("--csv", flags.csv, report_of(run, write_csv));
+  outputs.add("--ply", flags.ply, [&run](std::ostream& out) { write_ply(out, run); });
+  outputs.add("--html", flags.html, [&](std::ostream& out) { write_page(out, run, flags.page); });
+  for (const std::string& name : flags.curves)
+    outputs.add("--curves", name, report_of(run, curves_report(name)));
   for (const std::string& name : flags.surface)
-    outputs.add("--surface", name, surface_report(name));
-  for (const std::string& name : flags.labels) add_labels(outputs, name);
-  outputs.add("--dump-pairs", flags.input.engine.dump_pairs, write_pairs);
+    outputs.add("--surface", name, report_of(run, surface_report(name)));
+  for (const std::string& name : flags.labels) add_labels(outputs, name, run);
+  outputs.add("--dump-pairs", flags.input.engine.dump_pairs, report_of(run, write_pairs));
   return outputs;
 }
 
@@ -117,19 +117,24 @@ void find(const LoopsFlags& flags) {
   if (reports_features(flags) || !flags.html.empty()) input.features = features;
   input.features_may_lack = !reports_features(flags);
   check_engine_flags(input);
-  const OutputFiles outputs = outputs_of(flags);
-  ProgressLine progress(std::cerr, progress_options(flags.progress));
-  RunResult run = find_run(input, progress.callback());
-  run.with_features = reports_features(flags);
-  progress.clear();
-  compare_with_mesh(run, run.analysis);
-  outputs.write(run);
-  if (!outputs.uses_stdout()) {
-    write_table(std::cout, run);
-    if (run.with_features) write_features(std::cout, run);
-  }
-  if (input.engine.stats) write_stats(outputs.uses_stdout() ? std::cerr : std::cout << '\n', run);
-  finish_stdout();
+  LoopsResult run;
+  const OutputFiles outputs = outputs_of(flags, run);
+  run_and_report<LoopsResult>(
+      flags.progress, outputs, run,
+      {.run =
+           [&](const Progress& progress) {
+             LoopsResult found = find_run(input, progress);
+             found.with_features = reports_features(flags);
+             return found;
+           },
+       .settle = [](LoopsResult& found) { compare_with_mesh(found, found.analysis); },
+       .table =
+           [&](std::ostream& out, const LoopsResult& found) {
+             write_table(out, found);
+             if (found.with_features) write_features(out, found);
+             if (input.engine.stats) write_stats(out << '\n', found);
+           }});
+  if (input.engine.stats && outputs.uses_stdout()) write_stats(std::cerr, run);
 }
 
 /// A flag that may be repeated, each time with one name.

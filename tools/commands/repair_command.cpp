@@ -1,8 +1,6 @@
 #include "tools/commands/repair_command.h"
 
-#include <chrono>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <string>
 #include <variant>
@@ -12,17 +10,18 @@
 
 #include "core/base/errors.h"
 #include "core/base/stage.h"
+#include "core/base/threads.h"
 #include "tools/flags/repair_flags.h"
 #include "tools/flags/thread_flag.h"
 #include "tools/reports/report_repair.h"
 #include "tools/runs/mesh_comparison.h"
 #include "tools/runs/output_files.h"
 #include "tools/runs/read_run.h"
+#include "tools/runs/report_run.h"
 #include "tools/words/flag_checks.h"
 #include "tools/words/progress.h"
 #include "volume/base/atomic_file.h"
 #include "volume/base/file_kind.h"
-#include "volume/base/header_text.h"
 #include "volume/files/patch.h"
 #include "volume/files/write.h"
 #include "volume/formats/raw.h"
@@ -40,12 +39,6 @@ struct CommandFlags {
   int threads = 0;  // 0: one for each core
   ProgressFlags progress;
 };
-
-/// ".raw", ".nii.gz", in lower case.
-std::string extension_of(const std::filesystem::path& path) {
-  const std::string last = lower_case(path.extension().string());
-  return last == ".gz" ? lower_case(path.stem().extension().string()) + last : last;
-}
 
 /// Whether the file can be copied with the changed voxels in their places. An .img file is none
 /// without its header.
@@ -71,14 +64,14 @@ void check_mask_file(const CommandFlags& flags, const Volume& volume) {
 
 /// The output has the input's format, so that it keeps its type and geometry.
 void check_format(const CommandFlags& flags, const Volume& volume) {
-  const auto kind = file_kind(flags.volume.file);
+  const FileFormat* const format = file_format(flags.volume.file);
   if (extension_of(flags.output) != extension_of(flags.volume.file)) {
     throw InvalidArgument("--output " + flags.output + " must be a file of the same format as " +
                           flags.volume.file);
   }
   if (can_be_patched(flags, volume)) return;
   if (volume.mask && is_written(flags.output)) return check_mask_file(flags, volume);
-  if (kind != FileKind::vdb) {
+  if (format == nullptr || format->written != Written::as_floats) {
     throw InvalidArgument(
         flags.volume.file +
         ": volumes are repaired in this format only if one file holds header and voxels, one after "
@@ -112,9 +105,7 @@ void write_repaired(const CommandFlags& flags, const Repair& repair, const Volum
   file.commit();
 }
 
-void repair(const CommandFlags& flags) {
-  const auto start = std::chrono::steady_clock::now();
-  const RepairRequest request = repair_request(flags.repair);
+void check_together(const CommandFlags& flags) {
   if (!flags.volume.crop.empty()) {
     throw InvalidArgument(
         "--crop does not go with repair, which writes the whole file with some voxels changed");
@@ -122,36 +113,44 @@ void repair(const CommandFlags& flags) {
   if (flags.output.empty() && !flags.dry_run) {
     throw InvalidArgument("give --output FILE for the repaired volume, or --dry-run");
   }
-  RepairRun result;
-  OutputFiles outputs(flags.volume.file);
-  if (!flags.dry_run) outputs.reserve("--output", flags.output);
-  outputs.add("--json", flags.json,
-              [&result](std::ostream& out, const RunResult&) { write_repair_json(out, result); });
-  ProgressLine progress(std::cerr, progress_options(flags.progress));
-  RunResult& run = result.run;
-  run = read_run(flags.volume, flags.level);
+}
+
+RepairResult repaired_run(const CommandFlags& flags, const RepairRequest& request,
+                          const Progress& progress) {
+  RepairResult run{read_run(flags.volume, flags.level)};
   if (!flags.dry_run) check_format(flags, run.volume);
-  result.repair = in_stage("repair", [&] {
+  run.repair = in_stage("repair", [&] {
     return repair_loops(view(run.volume), run.level, request,
                         {.boundary = boundary_of(flags.level),
-                         .progress = progress.callback(),
+                         .progress = progress,
                          .max_bytes = run.cost.max_bytes});
   });
-  check_counts(result.repair.after);
-  check_loops(result.repair.after);
-  run.cost.peak_bytes = peak_resident_bytes();
-  progress.clear();
-  compare_with_mesh(run, result.repair.before);
-  if (!flags.dry_run) {
-    apply(result.repair, run.volume);
-    result.output = flags.output;
-    write_repaired(flags, result.repair, run.volume);
-  }
-  run.cost.total_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  outputs.write(run);
-  if (!outputs.uses_stdout()) write_repair_table(std::cout, result);
-  finish_stdout();
+  check_counts(run.repair.after);
+  check_loops(run.repair.after);
+  return run;
+}
+
+/// Writes the repaired volume, unless the run is a dry one.
+void settle(const CommandFlags& flags, RepairResult& run) {
+  compare_with_mesh(run, run.repair.before);
+  if (flags.dry_run) return;
+  apply(run.repair, run.volume);
+  run.output = flags.output;
+  write_repaired(flags, run.repair, run.volume);
+}
+
+void repair(const CommandFlags& flags) {
+  const RepairRequest request = repair_request(flags.repair);
+  check_together(flags);
+  RepairResult run;
+  OutputFiles outputs(flags.volume.file);
+  if (!flags.dry_run) outputs.reserve("--output", flags.output);
+  outputs.add("--json", flags.json, report_of(run, write_repair_json));
+  run_and_report<RepairResult>(
+      flags.progress, outputs, run,
+      {.run = [&](const Progress& progress) { return repaired_run(flags, request, progress); },
+       .settle = [&](RepairResult& repaired) { settle(flags, repaired); },
+       .table = write_repair_table});
 }
 
 }  // namespace

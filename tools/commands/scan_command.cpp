@@ -1,7 +1,5 @@
 #include "tools/commands/scan_command.h"
 
-#include <chrono>
-#include <iostream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,6 +13,7 @@
 #include "tools/reports/scan_plot.h"
 #include "tools/runs/output_files.h"
 #include "tools/runs/read_run.h"
+#include "tools/runs/report_run.h"
 #include "tools/runs/scan_run.h"
 #include "tools/words/flag_checks.h"
 #include "tools/words/progress.h"
@@ -32,29 +31,29 @@ struct ScanFlags {
   std::string svg;   // file, "-" or empty
 };
 
+ScanResult scanned_run(const ScanFlags& flags, const Progress& progress) {
+  LevelFlags level = flags.level;
+  level.iso = "0";  // stands in until an iso value is proposed
+  ScanResult run{read_run(flags.volume, level)};
+  const std::vector<double> isos = scan_values(flags.range, run.volume, run.range);
+  run.scan = in_stage("scan", [&] { return scan_of(run, isos, progress); });
+  return run;
+}
+
 void scan(const ScanFlags& flags) {
-  const auto start = std::chrono::steady_clock::now();
+  ScanResult run;
   OutputFiles outputs(flags.volume.file);
-  outputs.add("--json", flags.json, write_scan_json);
-  outputs.add("--csv", flags.csv, write_scan_csv);
-  outputs.add("--svg", flags.svg, write_scan_svg);
+  outputs.add("--json", flags.json, report_of(run, write_scan_json));
+  outputs.add("--csv", flags.csv, report_of(run, write_scan_csv));
+  outputs.add("--svg", flags.svg,
+              [&run](std::ostream& out) { write_scan_svg(out, run.scan, run.level.inside); });
   if (!flags.volume.label.empty()) {
     throw InvalidArgument("scan looks for an iso value, and --label takes none; use count");
   }
-  ProgressLine progress(std::cerr, progress_options(flags.progress));
-  LevelFlags level = flags.level;
-  level.iso = "0";  // stands in until an iso value is proposed
-  RunResult run = read_run(flags.volume, level);
-  run.with_loops = false;
-  const std::vector<double> isos = scan_values(flags.range, run.volume, run.range);
-  in_stage("scan", [&] { scan_run(run, isos, progress.callback()); });
-  run.cost.total_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  run.cost.peak_bytes = peak_resident_bytes();
-  progress.clear();
-  outputs.write(run);
-  if (!outputs.uses_stdout()) write_scan_table(std::cout, run);
-  finish_stdout();
+  run_and_report<ScanResult>(
+      flags.progress, outputs, run,
+      {.run = [&](const Progress& progress) { return scanned_run(flags, progress); },
+       .table = write_scan_table});
 }
 
 }  // namespace

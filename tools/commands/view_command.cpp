@@ -1,6 +1,5 @@
 #include "tools/commands/view_command.h"
 
-#include <iostream>
 #include <memory>
 #include <string>
 
@@ -11,7 +10,7 @@
 #include "tools/reports/report_table.h"
 #include "tools/runs/loops_run.h"
 #include "tools/runs/mesh_comparison.h"
-#include "tools/runs/output_files.h"
+#include "tools/runs/report_run.h"
 #include "tools/words/flag_checks.h"
 #include "tools/words/progress.h"
 
@@ -26,17 +25,15 @@ struct ViewFlags {
 };
 
 void view_loops(const ViewFlags& flags) {
+  LoopsResult run;
   OutputFiles outputs(flags.input.volume.file);
-  outputs.add("--output", flags.output, [&flags](std::ostream& out, const RunResult& run) {
-    write_page(out, run, flags.page);
-  });
-  ProgressLine progress(std::cerr, progress_options(flags.progress));
-  RunResult run = find_run(flags.input, progress.callback());
-  progress.clear();
-  compare_with_mesh(run, run.analysis);
-  outputs.write(run);
-  if (!outputs.uses_stdout()) write_table(std::cout, run);
-  finish_stdout();
+  outputs.add("--output", flags.output,
+              [&](std::ostream& out) { write_page(out, run, flags.page); });
+  run_and_report<LoopsResult>(
+      flags.progress, outputs, run,
+      {.run = [&](const Progress& progress) { return find_run(flags.input, progress); },
+       .settle = [](LoopsResult& found) { compare_with_mesh(found, found.analysis); },
+       .table = write_table});
 }
 
 }  // namespace

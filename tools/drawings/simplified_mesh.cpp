@@ -9,24 +9,20 @@
 #include <tuple>
 #include <utility>
 
+#include "core/grid/vec3.h"
+
 namespace isoloop {
 namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
 
-Vec3 minus(const Vec3& a, const Vec3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-
 Vec3 middle(const Vec3& a, const Vec3& b) {
   return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
 }
 
-double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 /// Of length twice the triangle's area.
 Vec3 normal_of(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 u = minus(b, a);
-  const Vec3 v = minus(c, a);
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+  return cross(minus(b, a), minus(c, a));
 }
 
 /// Sum of squared distances from planes, each by the area of its triangle: x A x + 2 b x + c.

@@ -4,17 +4,13 @@
 #include <cstddef>
 #include <numbers>
 
+#include "core/grid/vec3.h"
+
 namespace isoloop {
 namespace {
 
 Vec3 sum(const Vec3& a, const Vec3& b, double factor_b) {
   return {a[0] + factor_b * b[0], a[1] + factor_b * b[1], a[2] + factor_b * b[2]};
-}
-
-double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 // `fallback` where `v` has no direction.

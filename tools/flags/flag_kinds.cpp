@@ -2,81 +2,63 @@
 
 #include <array>
 #include <filesystem>
-#include <optional>
 #include <string_view>
 
 #include "core/base/errors.h"
 #include "volume/base/file_kind.h"
-#include "volume/mesh/mesh.h"
 
 namespace isoloop {
 namespace {
 
-/// One bit for each kind of input.
-using Kinds = std::uint32_t;
-
-constexpr Kinds kind_bit(FileKind kind) { return Kinds{1} << static_cast<unsigned>(kind); }
-
-constexpr Kinds mesh = Kinds{1} << 31U;
-constexpr Kinds folder = Kinds{1} << 30U;  // of slices
-constexpr Kinds volumes = ~mesh;
-constexpr Kinds raw = kind_bit(FileKind::raw);
-constexpr Kinds with_grids = kind_bit(FileKind::vdb) | kind_bit(FileKind::vti);
-constexpr Kinds with_frames = kind_bit(FileKind::nifti) | kind_bit(FileKind::nrrd) |
-                              kind_bit(FileKind::meta_image) | kind_bit(FileKind::dicom) |
-                              kind_bit(FileKind::tiff) | kind_bit(FileKind::npy) | folder;
-
 struct Rule {
   std::string_view flag;
   bool (*is_given)(const VolumeFlags&);
-  Kinds kinds;
+  Option option;  // of the table of formats, where what a format takes stands
   std::string_view kinds_text;
 };
 
 constexpr std::array<Rule, 15> rules{{
-    {"--dims", [](const VolumeFlags& f) { return !f.dims.empty(); }, raw, "raw files"},
-    {"--type", [](const VolumeFlags& f) { return !f.type.empty(); }, raw, "raw files"},
-    {"--endian", [](const VolumeFlags& f) { return !f.endian.empty(); }, raw, "raw files"},
-    {"--skip", [](const VolumeFlags& f) { return f.skip.has_value(); }, raw, "raw files"},
-    {"--spacing", [](const VolumeFlags& f) { return !f.spacing.empty(); },
-     volumes & ~kind_bit(FileKind::vdb),
+    {"--dims", [](const VolumeFlags& f) { return !f.dims.empty(); }, Option::dims, "raw files"},
+    {"--type", [](const VolumeFlags& f) { return !f.type.empty(); }, Option::voxel_type,
+     "raw files"},
+    {"--endian", [](const VolumeFlags& f) { return !f.endian.empty(); }, Option::dims, "raw files"},
+    {"--skip", [](const VolumeFlags& f) { return f.skip.has_value(); }, Option::dims, "raw files"},
+    {"--spacing", [](const VolumeFlags& f) { return !f.spacing.empty(); }, Option::spacing,
      "volumes other than .vdb files, whose transforms state it, and meshes, which want --voxel"},
-    {"--grid", [](const VolumeFlags& f) { return !f.grid.empty(); }, with_grids,
+    {"--grid", [](const VolumeFlags& f) { return !f.grid.empty(); }, Option::grid,
      ".vdb and .vti files"},
-    {"--frame", [](const VolumeFlags& f) { return f.frame.has_value(); }, with_frames,
+    {"--frame", [](const VolumeFlags& f) { return f.frame.has_value(); }, Option::frame,
      "files that may hold several volumes: NIfTI, NRRD, MetaImage, DICOM, TIFF and NumPy"},
-    {"--channel", [](const VolumeFlags& f) { return f.channel.has_value(); },
-     kind_bit(FileKind::tiff) | folder, "TIFF files"},
-    {"--series", [](const VolumeFlags& f) { return !f.series.empty(); },
-     kind_bit(FileKind::dicom) | folder, "DICOM slices"},
-    {"--affine", [](const VolumeFlags& f) { return !f.affine.empty(); }, kind_bit(FileKind::nifti),
+    {"--channel", [](const VolumeFlags& f) { return f.channel.has_value(); }, Option::channel,
+     "TIFF files"},
+    {"--series", [](const VolumeFlags& f) { return !f.series.empty(); }, Option::series,
+     "DICOM slices"},
+    {"--affine", [](const VolumeFlags& f) { return !f.affine.empty(); }, Option::transform,
      "NIfTI files"},
-    {"--label", [](const VolumeFlags& f) { return !f.label.empty(); }, volumes, "volumes"},
-    {"--crop", [](const VolumeFlags& f) { return !f.crop.empty(); }, volumes, "volumes"},
-    {"--nan-as", [](const VolumeFlags& f) { return f.nan_as.has_value(); }, volumes, "volumes"},
-    {"--voxel", [](const VolumeFlags& f) { return f.voxel_size.length.has_value(); }, mesh,
-     "meshes"},
+    {"--label", [](const VolumeFlags& f) { return !f.label.empty(); }, Option::labels, "volumes"},
+    {"--crop", [](const VolumeFlags& f) { return !f.crop.empty(); }, Option::crop, "volumes"},
+    {"--nan-as", [](const VolumeFlags& f) { return f.nan_as.has_value(); }, Option::nan_value,
+     "volumes"},
+    {"--voxel", [](const VolumeFlags& f) { return f.voxel_size.length.has_value(); },
+     Option::voxel_size, "meshes"},
     {"--resolution",
-     [](const VolumeFlags& f) { return f.voxel_size.resolution || f.voxel_size.automatic; }, mesh,
-     "meshes"},
+     [](const VolumeFlags& f) { return f.voxel_size.resolution || f.voxel_size.automatic; },
+     Option::voxel_size, "meshes"},
 }};
 
-std::optional<Kinds> kind_of(const std::filesystem::path& path) {
+/// Whether the option means something for what the path names; so too where nothing is known of it.
+bool may_take(const std::filesystem::path& path, Option option) {
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) return folder;
-  if (is_mesh(path)) return mesh;
-  const std::optional<FileKind> kind = file_kind(path);
-  if (!kind) return std::nullopt;
-  return kind_bit(*kind);
+  if (std::filesystem::is_directory(path, ignored)) return folders_take_option(option);
+  const FileFormat* const format = file_format(path);
+  return format == nullptr || takes_option(*format, option);
 }
 
 }  // namespace
 
 void check_flags_fit_file(const VolumeFlags& flags) {
-  const std::optional<Kinds> kind = kind_of(flags.file);
-  if (!kind) return;
   for (const Rule& rule : rules) {
-    if ((rule.kinds & *kind) != 0 || !rule.is_given(flags)) continue;
+    if (!rule.is_given(flags) || may_take(flags.file, rule.option)) continue;
     throw InvalidArgument(std::string(rule.flag) + " means nothing for " + flags.file +
                           ": it is for " + std::string(rule.kinds_text));
   }

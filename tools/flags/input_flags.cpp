@@ -37,6 +37,15 @@ std::size_t numbers_after(std::string_view flag) {
   return 0;
 }
 
+/// " .stl .ply ...".
+std::string mesh_words() {
+  std::string words;
+  for (const FileFormat& format : file_formats()) {
+    if (format.is_mesh) words.append(" ").append(format.extensions[0]);
+  }
+  return words;
+}
+
 void check_volume_flags(CLI::App& command) {
   want_file_name(command.get_option("FILE"));
   for (const char* flag :
@@ -67,10 +76,9 @@ void add_memory_flag(CLI::App& command, std::string& size) {
 
 void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
   command
-      .add_option(
-          "FILE", flags.file,
-          "volume to read: " + supported_extensions() +
-              ", or a folder of DICOM, TIFF, PNG or BMP slices; or mesh: .stl .ply .obj .off")
+      .add_option("FILE", flags.file,
+                  "volume to read: " + supported_extensions() +
+                      ", or a folder of DICOM, TIFF, PNG or BMP slices; or mesh:" + mesh_words())
       ->required()
       ->type_name("");
   command.add_option("--dims", flags.dims, "voxels along x, y and z of a raw file")

@@ -11,6 +11,7 @@
 #include "tools/reports/report_features.h"
 #include "tools/reports/report_table.h"
 #include "tools/runs/mesh_comparison.h"
+#include "tools/words/sentence.h"
 
 namespace isoloop {
 namespace {
@@ -41,7 +42,7 @@ Json affine_of(const Volume& volume) {
   return rows;
 }
 
-Json input_of(const RunResult& run) {
+Json input_of(const CountResult& run) {
   const Volume& volume = run.volume;
   return {{"file", run.file},
           {"grid", volume.name},
@@ -57,7 +58,7 @@ Json input_of(const RunResult& run) {
           {"maximum", run.range.max},
           {"nan_as", run.nan_as ? Json(*run.nan_as) : Json()},
           {"notes", notes_of(run)},
-          {"warnings", volume.warnings}};
+          {"warnings", sentences_of(volume.warnings)}};
 }
 
 const char* inside_rule_text(const IsoLevel& level) {
@@ -65,7 +66,7 @@ const char* inside_rule_text(const IsoLevel& level) {
   return level.inside == InsideRule::above ? "above" : "below";
 }
 
-Json conventions_of(const RunResult& run) {
+Json conventions_of(const CountResult& run, const LoopsResult* loops) {
   const bool open = run.analysis.surface.boundary == Boundary::open;
   Json conventions = {{"inside", inside_text(run.level)},
                       {"inside_rule", inside_rule_text(run.level)},
@@ -76,11 +77,12 @@ Json conventions_of(const RunResult& run) {
                                        : "one layer outside the volume"},
                       {"coefficients", "Z2"}};
   if (open) conventions["betti"] = "of the surface, whose sides are not told apart";
-  if (run.with_loops) {
-    conventions["geodesic"] = run.geodesic == GeodesicMode::exact ? "exact" : "hierarchy";
-    conventions["engine"] = engine_text(run.engine);
-    if (run.engine == Engine::pair) conventions["refinement"] = refinement_text(run.refinement);
-    conventions["tighten"] = tighten_text(run.tighten);
+  if (loops != nullptr) {
+    conventions["geodesic"] = loops->geodesic == GeodesicMode::exact ? "exact" : "hierarchy";
+    conventions["engine"] = engine_text(loops->engine);
+    if (loops->engine == Engine::pair)
+      conventions["refinement"] = refinement_text(loops->refinement);
+    conventions["tighten"] = tighten_text(loops->tighten);
     conventions["infinite_size"] = "null: the loop joins two components of the surface";
   }
   conventions["coordinates"] = {{"frame", frame_text(run.volume.frame)},
@@ -92,7 +94,7 @@ Json conventions_of(const RunResult& run) {
   return conventions;
 }
 
-Json filter_of(const RunResult& run) {
+Json filter_of(const LoopsResult& run) {
   const char* side = run.filter.handles ? (run.filter.tunnels ? "both" : "handle") : "tunnel";
   return {{"min_size", run.filter.min_size},
           {"max_size", run.filter.max_size},
@@ -101,7 +103,7 @@ Json filter_of(const RunResult& run) {
           {"reported", run.reported.size()}};
 }
 
-Json curves_of(const RunResult& run, const Loop& loop) {
+Json curves_of(const LoopsResult& run, const Loop& loop) {
   Json curves = Json::array();
   for (const std::vector<Vec3>& curve : drawn_curves(run.analysis.surface, loop)) {
     Json points = Json::array();
@@ -111,7 +113,7 @@ Json curves_of(const RunResult& run, const Loop& loop) {
   return curves;
 }
 
-Json loop_of(const RunResult& run, const Loop& loop) {
+Json loop_of(const LoopsResult& run, const Loop& loop) {
   const auto triviality = [](bool trivial) { return trivial ? "trivial" : "nontrivial"; };
   const Json certificate =
       loop.kind == LoopKind::loop
@@ -136,7 +138,7 @@ Json loop_of(const RunResult& run, const Loop& loop) {
 }
 
 // Of all loops of a kind, whatever the filter. The bound is one along edges of the surface.
-Json total_of(const RunResult& run, LoopKind kind, double least) {
+Json total_of(const LoopsResult& run, LoopKind kind, double least) {
   double length = 0.0;
   double found = 0.0;
   for (const Loop& loop : run.analysis.loops) {
@@ -171,6 +173,51 @@ void write_list(std::ostream& out, const char* name, const Items& items, const T
   out << (items.empty() ? "]" : "\n  ]");
 }
 
+void write_loops(std::ostream& out, const LoopsResult& run) {
+  write_member(out, "filter", filter_of(run));
+  Json total = {{"handles", total_of(run, LoopKind::handle, run.analysis.least_handle_length)},
+                {"tunnels", total_of(run, LoopKind::tunnel, run.analysis.least_tunnel_length)}};
+  if (run.analysis.surface.boundary == Boundary::open)
+    total = {{"loops", total_of(run, LoopKind::loop, 0.0)}};
+  write_member(out, "total", total);
+  write_list(out, "loops", run.reported, [&run](const Loop& loop) { return loop_of(run, loop); });
+}
+
+/// What both kinds of run have, and of `loops`, where there are some, what they have.
+void write_document(std::ostream& out, const CountResult& run, const LoopsResult* loops) {
+  const Surface& surface = run.analysis.surface;
+  const Betti& betti = run.analysis.betti;
+  const StageSeconds& seconds = run.analysis.seconds;
+  out << "{\n  \"schema\": \"isoloop/1\"";
+  write_member(out, "input", input_of(run));
+  write_member(out, "iso", run.level.iso);
+  if (run.level.upper) write_member(out, "iso_upper", *run.level.upper);
+  write_member(out, "conventions", conventions_of(run, loops));
+  write_member(out, "surface",
+               {{"vertices", surface.points.size()},
+                {"triangles", surface.triangles.size()},
+                {"components", surface.components.size()},
+                {"euler", surface.euler()},
+                {"genus", surface.genus()}});
+  write_list(out, "components", surface.components, [&surface](const SurfaceComponent& component) {
+    return component_of(surface.boundary, component);
+  });
+  write_member(out, "betti", {{"b0", betti.b0}, {"b1", betti.b1}, {"b2", betti.b2}});
+  if (loops != nullptr) write_loops(out, *loops);
+  write_member(out, "verified", true);
+  Json stages = {{"read", run.cost.read_seconds},
+                 {"surface", seconds.surface},
+                 {"closest", seconds.closest},
+                 {"sizes", seconds.sizes},
+                 {"pass", seconds.pass}};
+  if (loops != nullptr && loops->engine == Engine::pair) stages["pair"] = seconds.pair;
+  stages["loops"] = seconds.loops;
+  stages["total"] = run.cost.total_seconds;
+  write_member(out, "seconds", stages);
+  write_member(out, "peak_bytes", run.cost.peak_bytes);
+  out << "\n}\n";
+}
+
 }  // namespace
 
 Json part_json(const Volume& volume) {
@@ -178,7 +225,7 @@ Json part_json(const Volume& volume) {
   return {{"first", volume.part->first}, {"of", volume.part->whole}};
 }
 
-Json mesh_json(const RunResult& run, const Analysis& analysis) {
+Json mesh_json(const RunInput& run, const Analysis& analysis) {
   if (!run.volume.mesh) return {};
   const MeshCounts& mesh = *run.volume.mesh;
   const std::optional<bool> agree = voxels_agree(run, analysis);
@@ -194,45 +241,10 @@ Json mesh_json(const RunResult& run, const Analysis& analysis) {
   return json;
 }
 
-void write_json(std::ostream& out, const RunResult& run) {
-  const Surface& surface = run.analysis.surface;
-  const Betti& betti = run.analysis.betti;
-  const StageSeconds& seconds = run.analysis.seconds;
-  out << "{\n  \"schema\": \"isoloop/1\"";
-  write_member(out, "input", input_of(run));
-  write_member(out, "iso", run.level.iso);
-  if (run.level.upper) write_member(out, "iso_upper", *run.level.upper);
-  write_member(out, "conventions", conventions_of(run));
-  write_member(out, "surface",
-               {{"vertices", surface.points.size()},
-                {"triangles", surface.triangles.size()},
-                {"components", surface.components.size()},
-                {"euler", surface.euler()},
-                {"genus", surface.genus()}});
-  write_list(out, "components", surface.components, [&surface](const SurfaceComponent& component) {
-    return component_of(surface.boundary, component);
-  });
-  write_member(out, "betti", {{"b0", betti.b0}, {"b1", betti.b1}, {"b2", betti.b2}});
-  if (run.with_loops) {
-    write_member(out, "filter", filter_of(run));
-    Json total = {{"handles", total_of(run, LoopKind::handle, run.analysis.least_handle_length)},
-                  {"tunnels", total_of(run, LoopKind::tunnel, run.analysis.least_tunnel_length)}};
-    if (surface.boundary == Boundary::open) total = {{"loops", total_of(run, LoopKind::loop, 0.0)}};
-    write_member(out, "total", total);
-    write_list(out, "loops", run.reported, [&run](const Loop& loop) { return loop_of(run, loop); });
-  }
-  write_member(out, "verified", true);
-  Json stages = {{"read", run.cost.read_seconds},
-                 {"surface", seconds.surface},
-                 {"closest", seconds.closest},
-                 {"sizes", seconds.sizes},
-                 {"pass", seconds.pass}};
-  if (run.engine == Engine::pair) stages["pair"] = seconds.pair;
-  stages["loops"] = seconds.loops;
-  stages["total"] = run.cost.total_seconds;
-  write_member(out, "seconds", stages);
-  write_member(out, "peak_bytes", run.cost.peak_bytes);
-  out << "\n}\n";
+void write_json(std::ostream& out, const LoopsResult& run) { write_document(out, run, &run); }
+
+void write_count_json(std::ostream& out, const CountResult& run) {
+  write_document(out, run, nullptr);
 }
 
 }  // namespace isoloop

@@ -12,6 +12,7 @@
 #include "tools/reports/report_json.h"
 #include "tools/reports/report_table.h"
 #include "tools/words/number_text.h"
+#include "tools/words/sentence.h"
 #include "volume/base/memory_limit.h"
 
 namespace isoloop {
@@ -19,8 +20,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double voxel_volume(const RepairRun& result) {
-  const Vec3& spacing = result.run.volume.spacing;
+double voxel_volume(const RepairResult& run) {
+  const Vec3& spacing = run.volume.spacing;
   return spacing[0] * spacing[1] * spacing[2];
 }
 
@@ -48,11 +49,11 @@ void write_counts(std::ostream& out, const Repair& repair) {
   row("cavities", repair.before.betti.b2, repair.after.betti.b2);
 }
 
-void write_removals(std::ostream& out, const RepairRun& result) {
-  if (result.repair.removals.empty()) return;
-  const int decimals = length_decimals(result.run.volume.spacing);
+void write_removals(std::ostream& out, const RepairResult& run) {
+  if (run.repair.removals.empty()) return;
+  const int decimals = length_decimals(run.volume.spacing);
   out << "\nround  loop          length  done             voxels  centre (index)\n";
-  for (const Removal& removal : result.repair.removals) {
+  for (const Removal& removal : run.repair.removals) {
     std::string done = action_text(removal.action);
     if (removal.by.kind != removal.loop.kind) done.append(" ").append(text_of(removal.by));
     out << std::right << std::setw(5) << removal.round << "  " << std::left << std::setw(12)
@@ -74,7 +75,7 @@ Json counts_of(const Analysis& analysis) {
       {"betti", {{"b0", analysis.betti.b0}, {"b1", analysis.betti.b1}, {"b2", analysis.betti.b2}}}};
 }
 
-Json removal_of(const RepairRun& result, const Removal& removal) {
+Json removal_of(const RepairResult& run, const Removal& removal) {
   return {{"kind", kind_text(removal.loop.kind)},
           {"id", removal.loop.id},
           {"round", removal.round},
@@ -83,20 +84,19 @@ Json removal_of(const RepairRun& result, const Removal& removal) {
           {"along", {{"kind", kind_text(removal.by.kind)}, {"id", removal.by.id}}},
           {"voxels", removal.voxels},
           {"center_index", removal.center_index},
-          {"center_world", to_world(result.run.volume, removal.center_index)}};
+          {"center_world", to_world(run.volume, removal.center_index)}};
 }
 
 }  // namespace
 
-void write_repair_table(std::ostream& out, const RepairRun& result) {
-  const RunResult& run = result.run;
-  const Repair& repair = result.repair;
+void write_repair_table(std::ostream& out, const RepairResult& run) {
+  const Repair& repair = run.repair;
   out << run.file << ": " << dims_text(run.volume.dims) << ' ' << type_name(run.volume.values)
       << ", inside is " << inside_text(run.level) << "\n\n";
   write_counts(out, repair);
-  write_removals(out, result);
+  write_removals(out, run);
   const int decimals = length_decimals(run.volume.spacing);
-  const double volume = voxel_volume(result);
+  const double volume = voxel_volume(run);
   out << '\n'
       << counted(static_cast<std::int64_t>(repair.changes.size()), "voxel", "voxels")
       << " changed: " << repair.added_voxels << " filled (volume "
@@ -115,12 +115,11 @@ void write_repair_table(std::ostream& out, const RepairRun& result) {
   }
 }
 
-void write_repair_json(std::ostream& out, const RepairRun& result) {
-  const RunResult& run = result.run;
-  const Repair& repair = result.repair;
+void write_repair_json(std::ostream& out, const RepairResult& run) {
+  const Repair& repair = run.repair;
   Json removals = Json::array();
-  for (const Removal& removal : repair.removals) removals.push_back(removal_of(result, removal));
-  const double volume = voxel_volume(result);
+  for (const Removal& removal : repair.removals) removals.push_back(removal_of(run, removal));
+  const double volume = voxel_volume(run);
   const Json json = {
       {"schema", "isoloop-repair/1"},
       {"input",
@@ -129,14 +128,14 @@ void write_repair_json(std::ostream& out, const RepairRun& result) {
         {"type", type_name(run.volume.values)},
         {"spacing", run.volume.spacing},
         {"mesh", mesh_json(run, repair.before)},
-        {"warnings", run.volume.warnings}}},
+        {"warnings", sentences_of(run.volume.warnings)}}},
       {"iso", run.level.iso},
       {"conventions",
        {{"inside", inside_text(run.level)},
         {"topology", topology_text(run.level.topology)},
         {"round", "of analysis that `id` refers to; 1: of the input"},
         {"unit", "length: " + unit_text(run.volume) + "; volume: its cube"}}},
-      {"output", result.output.empty() ? Json() : Json(result.output)},
+      {"output", run.output.empty() ? Json() : Json(run.output)},
       {"before", counts_of(repair.before)},
       {"after", counts_of(repair.after)},
       {"removals", std::move(removals)},

@@ -9,7 +9,7 @@
 
 namespace isoloop {
 
-void write_stats(std::ostream& out, const RunResult& run) {
+void write_stats(std::ostream& out, const LoopsResult& run) {
   const Surface& surface = run.analysis.surface;
   const StageSeconds& seconds = run.analysis.seconds;
   const double geodesic = seconds.closest + seconds.sizes;

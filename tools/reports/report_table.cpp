@@ -9,6 +9,7 @@
 
 #include "tools/runs/mesh_comparison.h"
 #include "tools/words/number_text.h"
+#include "tools/words/sentence.h"
 #include "tools/words/text_rows.h"
 #include "volume/base/memory_limit.h"
 
@@ -50,7 +51,7 @@ std::string iso_text(const IsoLevel& level) {
 }
 
 // Why the surface is missing, or is no more than the border of the volume.
-void write_level_note(std::ostream& out, const RunResult& run) {
+void write_level_note(std::ostream& out, const CountResult& run) {
   const std::string iso = iso_text(run.level);
   std::string range = "[";
   range += shortest_text(run.range.min) + ", " + shortest_text(run.range.max) + "]";
@@ -69,16 +70,17 @@ void write_level_note(std::ostream& out, const RunResult& run) {
 }
 
 // The counts that the mesh has by itself, and how the voxels were chosen.
-void write_mesh(std::ostream& out, const RunResult& run) {
+void write_mesh(std::ostream& out, const CountResult& run) {
   if (!run.volume.mesh) return;
   out << "mesh        " << mesh_text(*run.volume.mesh);
   if (const std::optional<bool> agree = voxels_agree(run, run.analysis))
     out << (*agree ? ": the voxels have the same" : ": the voxels have others");
   out << '\n';
-  for (const std::string& note : run.volume.notes) out << "note        " << note << '\n';
+  for (const std::string& note : sentences_of(run.volume.notes))
+    out << "note        " << note << '\n';
 }
 
-void write_counts(std::ostream& out, const RunResult& run) {
+void write_counts(std::ostream& out, const CountResult& run) {
   const Surface& surface = run.analysis.surface;
   const Betti& betti = run.analysis.betti;
   const auto count = [](std::size_t n) { return static_cast<std::int64_t>(n); };
@@ -104,6 +106,14 @@ void write_counts(std::ostream& out, const RunResult& run) {
       << "components  " << numbers[0] << "  (b0: separate pieces of the solid)\n"
       << "tunnels     " << numbers[1] << "  (b1: ways through the solid, as in a ring)\n"
       << "cavities    " << numbers[2] << "  (b2: hollows closed off inside the solid)\n";
+}
+
+void write_head(std::ostream& out, const CountResult& run) {
+  out << run.file << ": " << volume_text(run.volume) << ", inside is " << inside_text(run.level)
+      << "\n\n";
+  write_counts(out, run);
+  write_mesh(out, run);
+  write_level_note(out, run);
 }
 
 // The largest first, where there is more than one.
@@ -132,7 +142,7 @@ void write_components(std::ostream& out, const Surface& surface) {
     out << "and " << components.size() - order.size() << " smaller ones: --json lists all\n";
 }
 
-void write_total(std::ostream& out, const RunResult& run, LoopKind kind) {
+void write_total(std::ostream& out, const LoopsResult& run, LoopKind kind) {
   const auto loops = std::count_if(run.reported.begin(), run.reported.end(),
                                    [kind](const Loop& loop) { return loop.kind == kind; });
   double length = 0.0;
@@ -149,7 +159,7 @@ void write_total(std::ostream& out, const RunResult& run, LoopKind kind) {
   out << '\n';
 }
 
-void write_loops(std::ostream& out, const RunResult& run) {
+void write_loops(std::ostream& out, const LoopsResult& run) {
   if (!run.reported.empty()) {
     std::vector<Row<10>> rows{{"id", "kind", "fix", "length", "size", "centre (index)",
                                "centre (world)", "component", "curves", "certificate"}};
@@ -194,7 +204,7 @@ std::string volume_text(const Volume& volume) {
   return volume.part ? text + " (" + part_text(volume, *volume.part) + ")" : text;
 }
 
-void write_hint(std::ostream& out, const RunResult& run) {
+void write_hint(std::ostream& out, const RunInput& run) {
   if (!run.hint.empty()) out << "\nnote: " << run.hint << '\n';
 }
 
@@ -243,22 +253,21 @@ std::string unit_text(const Volume& volume) {
   return volume.unit.empty() ? "unit of the spacing" : volume.unit;
 }
 
-std::string frame_comment(const RunResult& run) {
+std::string frame_comment(const RunInput& run) {
   const Vec3& spacing = run.volume.spacing;
   return "frame " + frame_text(run.volume.frame) + ", spacing " + shortest_text(spacing[0]) + ' ' +
          shortest_text(spacing[1]) + ' ' + shortest_text(spacing[2]) + " in the unit of lengths";
 }
 
-void write_table(std::ostream& out, const RunResult& run) {
-  out << run.file << ": " << volume_text(run.volume) << ", inside is " << inside_text(run.level)
-      << "\n\n";
-  write_counts(out, run);
-  write_mesh(out, run);
-  write_level_note(out, run);
-  if (run.with_loops)
-    write_loops(out, run);
-  else
-    write_components(out, run.analysis.surface);
+void write_count_table(std::ostream& out, const CountResult& run) {
+  write_head(out, run);
+  write_components(out, run.analysis.surface);
+  write_hint(out, run);
+}
+
+void write_table(std::ostream& out, const LoopsResult& run) {
+  write_head(out, run);
+  write_loops(out, run);
   write_hint(out, run);
 }
 

@@ -7,11 +7,14 @@
 
 namespace isoloop {
 
-/// Writes the counts of the surface and the solid, then, if the run looked for loops, one row for
-/// each reported loop, the total length of each kind and what was verified, and if it only counted,
-/// one row for each of the largest components of the surface. Lengths, sizes and centres are in the
-/// unit of the spacing, with the digits that a hundredth of a voxel asks for.
-void write_table(std::ostream& out, const RunResult& run);
+/// Writes the counts of the surface and the solid, then one row for each of the largest components
+/// of the surface.
+void write_count_table(std::ostream& out, const CountResult& run);
+
+/// Writes the counts, then one row for each reported loop, the total length of each kind and what
+/// was verified. Lengths, sizes and centres are in the unit of the spacing, with the digits that a
+/// hundredth of a voxel asks for.
+void write_table(std::ostream& out, const LoopsResult& run);
 
 /// "256 x 256 x 128 uint8", and which part of the file that is, unless it is all of it.
 std::string volume_text(const Volume& volume);
@@ -20,7 +23,7 @@ std::string volume_text(const Volume& volume);
 std::string part_text(const Volume& volume, const VolumePart& part);
 
 /// "note: ..." after an empty line, unless the run has no hint.
-void write_hint(std::ostream& out, const RunResult& run);
+void write_hint(std::ostream& out, const RunInput& run);
 
 /// "f >= 70" or "f <= 70": which voxels are inside.
 std::string inside_text(const IsoLevel& level);
@@ -43,6 +46,6 @@ std::string unit_text(const Volume& volume);
 
 /// "frame index, spacing 1 1 1 in the unit of lengths": for comments in files. At most 70
 /// characters unless the spacing takes many digits.
-std::string frame_comment(const RunResult& run);
+std::string frame_comment(const RunInput& run);
 
 }  // namespace isoloop

@@ -48,10 +48,10 @@ std::string place(const Axes& axes, double iso, std::int64_t count) {
 }
 
 // A count holds from its own iso value to the next one.
-void write_curve(std::ostream& out, const RunResult& run, const Axes& axes, const char* name,
+void write_curve(std::ostream& out, const IsoScan& scan, const Axes& axes, const char* name,
                  std::int64_t Betti::*count) {
   out << "<path class=\"curve " << name << "\" d=\"";
-  const std::vector<ScanRow>& rows = run.scan;
+  const std::vector<ScanRow>& rows = scan.rows;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::int64_t n = rows[i].betti.*count;
     if (i > 0 && rows[i - 1].betti.*count == n && i + 1 < rows.size()) continue;
@@ -74,7 +74,7 @@ double round_step(double span, int ticks) {
   return 10 * power;
 }
 
-void write_axes(std::ostream& out, const RunResult& run, const Axes& axes) {
+void write_axes(std::ostream& out, InsideRule inside, const Axes& axes) {
   std::int64_t before = -1;
   for (std::int64_t n = 0; static_cast<double>(n) <= axes.most; n = n == 0 ? 1 : 10 * n) {
     if (before >= 0 && axes.y(before) - axes.y(n) < 14) continue;
@@ -96,7 +96,7 @@ void write_axes(std::ostream& out, const RunResult& run, const Axes& axes) {
   }
   out << "<text text-anchor=\"middle\" x=\"" << number((left + right) / 2) << "\" y=\""
       << number(height - 6) << "\">iso value (inside is "
-      << (run.level.inside == InsideRule::above ? "at or above" : "at or below") << ")</text>\n";
+      << (inside == InsideRule::above ? "at or above" : "at or below") << ")</text>\n";
 }
 
 void write_legend(std::ostream& out) {
@@ -112,28 +112,28 @@ void write_legend(std::ostream& out) {
 
 }  // namespace
 
-void write_scan_svg(std::ostream& out, const RunResult& run) {
-  Axes axes{run.scan.front().iso, run.scan.back().iso, 1.0};
-  for (const ScanRow& row : run.scan)
+void write_scan_svg(std::ostream& out, const IsoScan& scan, InsideRule inside) {
+  Axes axes{scan.rows.front().iso, scan.rows.back().iso, 1.0};
+  for (const ScanRow& row : scan.rows)
     axes.most = std::max(axes.most,
                          static_cast<double>(std::max({row.betti.b0, row.betti.b1, row.betti.b2})));
   out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << number(width) << ' '
       << number(height) << "\" role=\"img\">\n<title>Components, tunnels and cavities over the iso "
       << "value</title>\n"
       << style << "<rect class=\"back\" width=\"100%\" height=\"100%\"/>\n";
-  for (const std::size_t i : widest_plateaus(run)) {
-    const double from = axes.x(run.scan[run.plateaus[i].first].iso);
-    const double to = axes.x(run.scan[run.plateaus[i].last].iso);
+  for (const std::size_t i : widest_plateaus(scan)) {
+    const double from = axes.x(scan.rows[scan.plateaus[i].first].iso);
+    const double to = axes.x(scan.rows[scan.plateaus[i].last].iso);
     out << "<rect class=\"plateau\" x=\"" << number(from) << "\" y=\"" << number(top)
         << "\" width=\"" << number(to - from) << "\" height=\"" << number(bottom - top) << "\"/>\n";
   }
-  write_axes(out, run, axes);
+  write_axes(out, inside, axes);
   write_legend(out);
-  write_curve(out, run, axes, "b0", &Betti::b0);
-  write_curve(out, run, axes, "b1", &Betti::b1);
-  write_curve(out, run, axes, "b2", &Betti::b2);
-  if (run.proposed) {
-    const double iso = run.scan[*run.proposed].iso;
+  write_curve(out, scan, axes, "b0", &Betti::b0);
+  write_curve(out, scan, axes, "b1", &Betti::b1);
+  write_curve(out, scan, axes, "b2", &Betti::b2);
+  if (scan.proposed) {
+    const double iso = scan.rows[*scan.proposed].iso;
     out << "<path class=\"proposed\" d=\"M" << number(axes.x(iso)) << ' ' << number(top) << 'V'
         << number(bottom) << "\"/><text x=\"" << number(std::min(axes.x(iso) + 5, right - 90))
         << "\" y=\"" << number(top + 14) << "\">proposed " << shortest_text(iso) << "</text>\n";

@@ -1,23 +1,22 @@
 #include "tools/runs/loops_run.h"
 
-#include <chrono>
 #include <iostream>
 
 #include "core/base/errors.h"
 #include "core/base/stage.h"
-#include "tools/flags/thread_flag.h"
+#include "core/base/threads.h"
 #include "tools/runs/read_run.h"
 #include "tools/runs/scan_run.h"
+#include "tools/words/sentence.h"
 
 namespace isoloop {
 namespace {
 
-RunResult found_run(const LoopsInput& input, const Progress& progress) {
-  const auto start = std::chrono::steady_clock::now();
+LoopsResult found_run(const LoopsInput& input, const Progress& progress) {
   const PairOptions pair = pair_options(input.engine);
   const Boundary boundary = boundary_of(input.level);
   const Tighten tighten = tighten_of(input.engine, boundary);
-  RunResult run = read_run(input.volume, input.level);
+  LoopsResult run{{read_run(input.volume, input.level)}};
   run.geodesic = input.geodesic == "exact" ? GeodesicMode::exact : GeodesicMode::hierarchy;
   run.engine = engine_of(input.engine);
   run.refinement = pair.refinement;
@@ -45,16 +44,15 @@ RunResult found_run(const LoopsInput& input, const Progress& progress) {
       });
     } catch (const LimitExceeded& error) {
       if (!input.features_may_lack) throw;
-      std::cerr << "isoloop: warning: features are left out: " << error.what() << '\n';
+      std::cerr << "isoloop: warning: features are left out: " << sentence_of(error.finding)
+                << '\n';
     }
   }
   if (input.with_scan && boundary == Boundary::closed && !run.level.upper) {
     if (progress) progress("scan", 0.95);
-    in_stage("scan", [&] { scan_run(run, scan_values({}, run.volume, run.range), {}); });
+    run.scan =
+        in_stage("scan", [&] { return scan_of(run, scan_values({}, run.volume, run.range), {}); });
   }
-  run.cost.total_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  run.cost.peak_bytes = peak_resident_bytes();
   return run;
 }
 
@@ -65,7 +63,7 @@ void check_engine_flags(const LoopsInput& input) {
   tighten_of(input.engine, boundary_of(input.level));
 }
 
-RunResult find_run(const LoopsInput& input, const Progress& progress) {
+LoopsResult find_run(const LoopsInput& input, const Progress& progress) {
   return on_threads(input.threads, [&] { return found_run(input, progress); });
 }
 

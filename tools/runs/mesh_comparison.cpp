@@ -24,7 +24,7 @@ std::string short_text(double length) {
 
 }  // namespace
 
-std::optional<bool> voxels_agree(const RunResult& run, const Analysis& analysis) {
+std::optional<bool> voxels_agree(const RunInput& run, const Analysis& analysis) {
   const std::optional<MeshCounts>& mesh = run.volume.mesh;
   const IsoLevel& level = run.level;
   const bool is_on_mesh = level.iso == 0.0 && !level.upper && level.inside == InsideRule::below &&
@@ -33,7 +33,7 @@ std::optional<bool> voxels_agree(const RunResult& run, const Analysis& analysis)
   return *mesh->betti == analysis.betti;
 }
 
-std::string difference_text(const RunResult& run, const Analysis& analysis) {
+std::string difference_text(const RunInput& run, const Analysis& analysis) {
   if (voxels_agree(run, analysis).value_or(true)) return {};
   const MeshCounts& mesh = *run.volume.mesh;
   if (mesh.voxels && *mesh.voxels == analysis.betti) return {};
@@ -48,10 +48,10 @@ std::string difference_text(const RunResult& run, const Analysis& analysis) {
          ", or --resolution auto";
 }
 
-void compare_with_mesh(RunResult& run, const Analysis& analysis) {
+void compare_with_mesh(RunInput& run, const Analysis& analysis) {
   const std::string difference = difference_text(run, analysis);
   if (difference.empty()) return;
-  run.volume.warnings.push_back(difference);
+  run.volume.warnings.push_back({.text = difference});
   std::cerr << "isoloop: warning: " << difference << '\n';
 }
 

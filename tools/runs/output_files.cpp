@@ -62,20 +62,20 @@ bool OutputFiles::uses_stdout() const {
                      [](const Output& output) { return is_stdout(output.name); });
 }
 
-void OutputFiles::write(const RunResult& run) const {
-  in_stage("report", [&] { write_all(run); });
+void OutputFiles::write() const {
+  in_stage("report", [&] { write_all(); });
 }
 
-void OutputFiles::write_all(const RunResult& run) const {
+void OutputFiles::write_all() const {
   std::vector<std::unique_ptr<AtomicFile>> files;
   for (const Output& output : outputs_) {
     if (is_stdout(output.name) || !output.report) continue;
     files.push_back(std::make_unique<AtomicFile>(output.name));
-    output.report(files.back()->stream(), run);
+    output.report(files.back()->stream());
   }
   for (const auto& file : files) file->commit();
   for (const Output& output : outputs_) {
-    if (is_stdout(output.name)) output.report(std::cout, run);
+    if (is_stdout(output.name)) output.report(std::cout);
   }
 }
 

@@ -5,9 +5,8 @@
 #include <functional>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
-
-#include "tools/runs/run_result.h"
 
 namespace isoloop {
 
@@ -15,7 +14,7 @@ namespace isoloop {
 /// costs no time. Nothing is left on disk between add() and write().
 class OutputFiles {
  public:
-  using Report = std::function<void(std::ostream&, const RunResult&)>;
+  using Report = std::function<void(std::ostream&)>;
 
   /// `input` is never overwritten.
   explicit OutputFiles(std::filesystem::path input) : input_(std::move(input)) {}
@@ -34,10 +33,10 @@ class OutputFiles {
 
   /// Writes all reports. Throws InvalidInput if one could not be written, LimitExceeded where the
   /// disk is full.
-  void write(const RunResult& run) const;
+  void write() const;
 
  private:
-  void write_all(const RunResult& run) const;
+  void write_all() const;
 
   struct Output {
     std::string name;
@@ -47,6 +46,12 @@ class OutputFiles {
   std::filesystem::path input_;
   std::vector<Output> outputs_;
 };
+
+/// `write`, of a run that is there only once the reports are written. `run` must outlive it.
+template <class Result, class Write>
+OutputFiles::Report report_of(const Result& run, Write write) {
+  return [&run, write = std::move(write)](std::ostream& out) { write(out, run); };
+}
 
 /// Throws InvalidInput, naming the file, if it cannot be created or replaced. Changes nothing.
 void check_writable(const std::filesystem::path& path);

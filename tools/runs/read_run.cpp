@@ -7,20 +7,21 @@
 #include "core/base/stage.h"
 #include "tools/flags/flag_kinds.h"
 #include "tools/runs/memory_cap.h"
+#include "tools/words/sentence.h"
 #include "tools/words/value_hints.h"
 #include "volume/base/memory_limit.h"
 
 namespace isoloop {
 
 void print_warnings(std::ostream& out, const Volume& volume) {
-  for (const std::string& warning : volume.warnings) {
+  for (const std::string& warning : sentences_of(volume.warnings)) {
     out << "isoloop: warning: " << warning << '\n';
   }
 }
 
-RunResult read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flags) {
+RunInput read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flags) {
   const auto start = std::chrono::steady_clock::now();
-  RunResult run;
+  RunInput run;
   run.file = volume_flags.file;
   run.nan_as = volume_flags.nan_as;
   check_flags_agree(volume_flags, level_flags);

@@ -8,6 +8,7 @@
 #include <sys/resource.h>
 
 #include "core/base/errors.h"
+#include "tools/words/sentence.h"
 
 namespace isoloop {
 namespace {
@@ -93,8 +94,8 @@ std::vector<Loop> select_loops(const std::vector<Loop>& loops, const LoopFilter&
   return selected;
 }
 
-std::vector<std::string> notes_of(const RunResult& run) {
-  std::vector<std::string> notes = run.volume.notes;
+std::vector<std::string> notes_of(const RunInput& run) {
+  std::vector<std::string> notes = sentences_of(run.volume.notes);
   if (!run.hint.empty()) notes.push_back(run.hint);
   return notes;
 }

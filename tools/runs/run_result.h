@@ -1,15 +1,18 @@
-// One run of `count`, `loops` or `scan`: what was read, how it was asked for, what came out, what
-// it cost.
+// What the runs of `count`, `loops`, `scan` and `repair` give: what was read, how it was asked for,
+// what came out, what it cost.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <vector>
 
 #include "core/analysis/analysis.h"
 #include "core/loops/features.h"
+#include "core/repair/repair.h"
 #include "core/scan/plateau.h"
 #include "core/scan/scan.h"
 #include "volume/voxels/volume.h"
@@ -37,32 +40,57 @@ struct RunCost {
 /// Largest resident set of this process so far, in bytes.
 std::uint64_t peak_resident_bytes();
 
-/// All that a report is made from.
-struct RunResult {
-  std::string file;  // as named on the command line
-  Volume volume;
-  ValueRange range;
-  std::optional<double> nan_as;  // the value that was read in place of NaN
-  IsoLevel level;
+/// What every run has.
+struct RunInput {
+  std::string file{};  // as named on the command line
+  Volume volume{};
+  ValueRange range{};
+  std::optional<double> nan_as{};  // the value that was read in place of NaN
+  IsoLevel level{};
   std::string hint{};  // what the values suggest, for a mask that was not read as one; or empty
+  RunCost cost{};
+};
+
+/// A run of `count`: the analysis has no loops.
+struct CountResult : RunInput {
+  Analysis analysis{};
+};
+
+/// The counts at many iso values.
+struct IsoScan {
+  std::vector<ScanRow> rows{};  // one for each iso value, ascending
+  std::vector<Plateau> plateaus{};
+  std::optional<std::size_t> proposed{};  // the row to look at first, if any
+};
+
+/// A run of `loops` or `view`.
+struct LoopsResult : CountResult {
   GeodesicMode geodesic = GeodesicMode::hierarchy;
   Engine engine = Engine::dual;
   Refinement refinement = Refinement::both;  // of the engine `pair`
   Tighten tighten = Tighten::basis;
-  Analysis analysis;
-  bool with_loops = true;  // false: counted only
-  LoopFilter filter;
-  std::vector<Loop> reported;             // select_loops(analysis.loops, filter)
-  std::vector<Feature> features{};        // one for each of analysis.loops; empty: not looked for
-  bool with_features = false;             // reports tell of them
-  std::vector<ScanRow> scan{};            // of `scan`: one for each iso value, ascending
-  std::vector<Plateau> plateaus{};        // of `scan`
-  std::optional<std::size_t> proposed{};  // of `scan`: the row to look at first, if any
-  RunCost cost;
+  LoopFilter filter{};
+  std::vector<Loop> reported{};     // select_loops(analysis.loops, filter)
+  std::vector<Feature> features{};  // one for each of analysis.loops; empty: not looked for
+  bool with_features = false;       // reports tell of them
+  std::optional<IsoScan> scan{};    // where a page is to show it
+};
+
+using LoopsReport = std::function<void(std::ostream&, const LoopsResult&)>;
+
+/// A run of `scan`: `level` has the rule, its iso value means nothing.
+struct ScanResult : RunInput {
+  IsoScan scan{};
+};
+
+/// A run of `repair`; the volume is the repaired one once it is written.
+struct RepairResult : RunInput {
+  Repair repair{};
+  std::string output{};  // the file written; empty on a dry run
 };
 
 /// The volume's notes and the hint.
-std::vector<std::string> notes_of(const RunResult& run);
+std::vector<std::string> notes_of(const RunInput& run);
 
 /// Throws SelfCheckFailed unless every component of the surface is closed (or, with an open
 /// boundary, a surface with a border), the parts add up to the whole, and the Betti numbers are

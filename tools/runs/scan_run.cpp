@@ -55,15 +55,17 @@ std::vector<double> scan_values(const ScanRange& range, const Volume& volume,
   return values;
 }
 
-void scan_run(RunResult& run, const std::vector<double>& isos, const Progress& progress) {
+IsoScan scan_of(const RunInput& run, const std::vector<double>& isos, const Progress& progress) {
   const Index3& dims = run.volume.dims;
-  run.scan = scan_topology(view(run.volume), isos,
-                           {.inside = run.level.inside,
-                            .topology = run.level.topology,
-                            .progress = progress,
-                            .max_bytes = run.cost.max_bytes});
-  run.plateaus = find_plateaus(run.scan, dims[0] * dims[1] * dims[2]);
-  run.proposed = proposed_row(run.scan, run.plateaus);
+  IsoScan scan;
+  scan.rows = scan_topology(view(run.volume), isos,
+                            {.inside = run.level.inside,
+                             .topology = run.level.topology,
+                             .progress = progress,
+                             .max_bytes = run.cost.max_bytes});
+  scan.plateaus = find_plateaus(scan.rows, dims[0] * dims[1] * dims[2]);
+  scan.proposed = proposed_row(scan.rows, scan.plateaus);
+  return scan;
 }
 
 }  // namespace isoloop

@@ -23,7 +23,7 @@ struct ScanRange {
 std::vector<double> scan_values(const ScanRange& range, const Volume& volume,
                                 const ValueRange& voxels);
 
-/// Fills run.scan, run.plateaus and run.proposed. `isos`: ascending.
-void scan_run(RunResult& run, const std::vector<double>& isos, const Progress& progress);
+/// The counts at `isos`, which ascend, and the iso value that they propose.
+IsoScan scan_of(const RunInput& run, const std::vector<double>& isos, const Progress& progress);
 
 }  // namespace isoloop

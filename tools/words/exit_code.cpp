@@ -1,6 +1,5 @@
 #include "tools/words/exit_code.h"
 
-#include <algorithm>
 #include <new>
 #include <stdexcept>
 #include <system_error>
@@ -8,15 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/errors.h"
+#include "tools/words/sentence.h"
 
 namespace isoloop {
 namespace {
-
-std::string one_line(std::string text) {
-  while (!text.empty() && (text.back() == '\n' || text.back() == '.')) text.pop_back();
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
-}
 
 // TBB knows no type of its own for this: the stack of one more thread finds no memory.
 bool no_room_for_a_thread(const std::exception& error) {
@@ -25,15 +19,15 @@ bool no_room_for_a_thread(const std::exception& error) {
 
 }  // namespace
 
-Failure failure_of(const std::exception_ptr& error) {
+Failure failure_of(const std::exception_ptr& error, std::string_view command) {
   try {
     std::rethrow_exception(error);
   } catch (const InvalidArgument& e) {
-    return {ExitCode::usage, one_line(e.what())};
+    return {ExitCode::usage, sentence_of(e.finding, command, e.option)};
   } catch (const InvalidInput& e) {
-    return {ExitCode::invalid_input, one_line(e.what())};
+    return {ExitCode::invalid_input, sentence_of(e.finding, command)};
   } catch (const LimitExceeded& e) {
-    return {ExitCode::limit_exceeded, one_line(e.what())};
+    return {ExitCode::limit_exceeded, sentence_of(e.finding, command)};
   } catch (const std::bad_alloc&) {
     return {ExitCode::limit_exceeded, memory_sentence};
   } catch (const std::length_error&) {

@@ -3,6 +3,7 @@
 
 #include <exception>
 #include <string>
+#include <string_view>
 
 namespace isoloop {
 
@@ -24,8 +25,8 @@ struct Failure {
   std::string sentence;  // one line without "isoloop: " and without a full stop
 };
 
-/// The end of a run that threw `error`, which must not be null.
-Failure failure_of(const std::exception_ptr& error);
+/// The end of a run of `command` (count, repair, ...) that threw `error`, which must not be null.
+Failure failure_of(const std::exception_ptr& error, std::string_view command = {});
 
 /// The same as one JSON object: "event" ("error"), "code", "message".
 std::string error_event(const Failure& failure);

@@ -18,15 +18,17 @@ namespace {
 namespace fs = std::filesystem;
 
 InvalidInput write_error(const fs::path& target, const std::string& why) {
-  return InvalidInput(target.string() + ": cannot be written: " + why);
+  return InvalidInput({.file = target.string(), .text = "cannot be written: " + why},
+                      Fault::unwritable);
 }
 
 std::string text_of(int error) { return std::generic_category().message(error); }
 
 [[noreturn]] void throw_write_error(const fs::path& target, int error) {
   if (!is_out_of_room(error)) throw write_error(target, text_of(error));
-  throw LimitExceeded(target.string() + ": cannot be written: " + text_of(error) +
-                      "; make room or choose another place");
+  throw LimitExceeded(
+      {.file = target.string(),
+       .text = "cannot be written: " + text_of(error) + "; make room or choose another place"});
 }
 
 /// The file that the target's name leads to. A rename onto a device or a pipe would destroy it.

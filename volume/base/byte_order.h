@@ -7,9 +7,9 @@
 #include <cstring>
 #include <span>
 
-namespace isoloop {
+#include "isoloop/read.h"
 
-enum class Endian { little, big };
+namespace isoloop {
 
 inline constexpr Endian native_endian =
     std::endian::native == std::endian::big ? Endian::big : Endian::little;

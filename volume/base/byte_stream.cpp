@@ -29,8 +29,8 @@ struct ByteStream::State {
   bool ended = false;      // the compressed stream's end was there, with its checksum
   std::vector<std::byte> stored;
 
-  [[noreturn]] void fail(const std::string& complaint) const {
-    throw InvalidInput(path.string() + ": " + complaint);
+  [[noreturn]] void fail(const std::string& complaint, Fault fault = Fault::damaged) const {
+    throw InvalidInput({.file = path.string(), .text = complaint}, fault);
   }
 
   // As many bytes as are left, at most; throws if the file system does not deliver them.
@@ -104,7 +104,7 @@ ByteStream::ByteStream(const std::filesystem::path& path, Packing packing, std::
   state_->stored_left = size - first;
   state_->file.open(path, std::ios::binary);
   if (!state_->file.seekg(static_cast<std::streamoff>(first))) {
-    state_->fail("cannot be opened; check that you may read it");
+    state_->fail("cannot be opened; check that you may read it", Fault::unreadable);
   }
   if (packing == Packing::plain) return;
   constexpr int largest_window = 15;
@@ -208,7 +208,9 @@ void ByteStream::check_room(std::uint64_t bytes, const std::string& what) const 
 std::uint64_t stored_bytes(const std::filesystem::path& path) {
   std::error_code error;
   const std::uint64_t size = std::filesystem::file_size(path, error);
-  if (error) throw InvalidInput(path.string() + ": cannot be read: " + error.message());
+  if (error)
+    throw InvalidInput({.file = path.string(), .text = "cannot be read: " + error.message()},
+                       Fault::unreadable);
   return size;
 }
 
@@ -216,14 +218,20 @@ void check_is_file(const std::filesystem::path& path) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (status.type() == std::filesystem::file_type::not_found) {
-    throw InvalidInput(path.string() + ": no such file; check the path");
+    throw InvalidInput({.file = path.string(), .text = "no such file; check the path"},
+                       Fault::unreadable);
   }
-  if (error) throw InvalidInput(path.string() + ": cannot be read: " + error.message());
+  if (error)
+    throw InvalidInput({.file = path.string(), .text = "cannot be read: " + error.message()},
+                       Fault::unreadable);
   if (std::filesystem::is_directory(status)) {
-    throw InvalidInput(path.string() + ": is a folder, not a file");
+    throw InvalidInput({.file = path.string(), .text = "is a folder, not a file"},
+                       Fault::unreadable);
   }
   if (!std::filesystem::is_regular_file(status)) {
-    throw InvalidInput(path.string() + ": is not a regular file; copy its content to one");
+    throw InvalidInput(
+        {.file = path.string(), .text = "is not a regular file; copy its content to one"},
+        Fault::unreadable);
   }
 }
 

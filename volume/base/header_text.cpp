@@ -34,8 +34,9 @@ std::vector<Number> all_parsed(std::string_view text, std::size_t count, const s
   }
   if (good && (count == 0 || numbers.size() == count)) return numbers;
   const std::string wanted = count == 0 ? "numbers" : std::to_string(count) + " numbers";
-  throw InvalidInput(what + ": '" + std::string(text.substr(0, 80)) + "' where " + wanted +
-                     " should be; correct the header");
+  throw InvalidInput({.file = what,
+                      .text = "'" + std::string(text.substr(0, 80)) + "' where " + wanted +
+                              " should be; correct the header"});
 }
 
 }  // namespace
@@ -95,18 +96,20 @@ std::string read_line_or_rest(ByteStream& stream, const std::string& what, bool&
     }
     line.push_back(static_cast<char>(next));
   }
-  throw InvalidInput(what + ": a line of its header is longer than 64 KiB; is it such a file?");
+  throw InvalidInput(
+      {.file = what, .text = "a line of its header is longer than 64 KiB; is it such a file?"});
 }
 
 std::string read_line(ByteStream& stream, const std::string& what) {
   bool is_ended = true;
   std::string line = read_line_or_rest(stream, what, is_ended);
-  if (!is_ended) throw InvalidInput(what + ": ends within its header; fetch the file again");
+  if (!is_ended)
+    throw InvalidInput({.file = what, .text = "ends within its header; fetch the file again"});
   return line;
 }
 
-std::string unended_header_warning(const std::string& what) {
-  return what + ": the last line of the header has no end; it is taken to be whole";
+Finding unended_header_warning(const std::string& what) {
+  return {.file = what, .text = "the last line of the header has no end; it is taken to be whole"};
 }
 
 bool names_several_files(const std::filesystem::path& header, std::string_view name) {

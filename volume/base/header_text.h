@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/finding.h"
 #include "volume/base/byte_stream.h"
 
 namespace isoloop {
@@ -41,7 +42,7 @@ std::string read_line(ByteStream& stream, const std::string& what);
 std::string read_line_or_rest(ByteStream& stream, const std::string& what, bool& is_ended);
 
 /// What is said where a header without an end to its last line is read.
-std::string unended_header_warning(const std::string& what);
+Finding unended_header_warning(const std::string& what);
 
 /// Whether what a header says of its data file stands for several: a list of names, or a pattern
 /// with numbers such as "slice%03d.raw 1 20 1". A file that is there by that very name is one.

@@ -24,13 +24,16 @@ std::uint64_t checked_voxel_bytes(const Index3& dims, std::uint64_t bytes_per_vo
   std::uint64_t bytes = bytes_per_voxel;
   for (const std::int64_t dim : dims) {
     if (dim < 1) {
-      throw InvalidArgument(what + ": dimensions " + dims_text(dims) +
-                            " make no volume; each must be at least 1");
+      throw InvalidArgument(
+          {.file = what,
+           .text = "dimensions " + dims_text(dims) + " make no volume; each must be at least 1"},
+          Option::dims);
     }
     if (static_cast<std::uint64_t>(dim) > most / bytes) {
-      throw LimitExceeded(
-          what + ": " + dims_text(dims) +
-          " voxels are more than can be counted, whatever --max-memory is; check the dimensions");
+      throw LimitExceeded({.file = what,
+                           .text = dims_text(dims) + " voxels are more than can be counted",
+                           .advice = {Advice::check_dims}},
+                          {.unit = Excess::Unit::voxels});
     }
     bytes *= static_cast<std::uint64_t>(dim);
   }
@@ -55,18 +58,26 @@ void check_voxel_memory(const Index3& dims, std::uint64_t bytes_per_voxel, std::
   const std::uint64_t limit = max_bytes == 0 ? default_voxel_limit() : max_bytes;
   if (bytes <= limit) return;
   throw LimitExceeded(
-      what + ": " + dims_text(dims) + " voxels of " + std::to_string(bytes_per_voxel) +
-      (bytes_per_voxel == 1 ? " byte need " : " bytes need ") + bytes_text(bytes) +
-      ", and the limit is " + bytes_text(limit) + "; raise --max-memory or take a smaller volume");
+      {.file = what,
+       .text = dims_text(dims) + " voxels of " + std::to_string(bytes_per_voxel) +
+               (bytes_per_voxel == 1 ? " byte need " : " bytes need ") + bytes_text(bytes) +
+               ", and the limit is " + bytes_text(limit),
+       .advice = {Advice::raise_memory_limit, Advice::take_smaller_volume}},
+      {.unit = Excess::Unit::bytes, .needed = bytes, .limit = limit, .stage = "read"});
 }
 
 void check_voxel_memory(const Index3& dims, std::uint64_t bytes_per_voxel,
                         const VoxelLimits& limits, const std::string& what) {
   const std::uint64_t voxels = checked_voxel_count(dims, what);
   if (limits.max_voxels > 0 && voxels > limits.max_voxels) {
-    throw LimitExceeded(what + ": " + dims_text(dims) + " are " + std::to_string(voxels) +
-                        " voxels, and the limit is " + std::to_string(limits.max_voxels) +
-                        "; raise --max-voxels or take a smaller volume");
+    throw LimitExceeded({.file = what,
+                         .text = dims_text(dims) + " are " + std::to_string(voxels) +
+                                 " voxels, and the limit is " + std::to_string(limits.max_voxels),
+                         .advice = {Advice::raise_voxel_limit, Advice::take_smaller_volume}},
+                        {.unit = Excess::Unit::voxels,
+                         .needed = voxels,
+                         .limit = limits.max_voxels,
+                         .stage = "read"});
   }
   check_voxel_memory(dims, bytes_per_voxel, limits.max_bytes, what);
 }

@@ -8,7 +8,8 @@ namespace {
 constexpr std::string_view blanks = " \t\r\n";
 
 [[noreturn]] void refuse(const std::string& what) {
-  throw InvalidInput(what + ": its XML is damaged or cut short; fetch the file again");
+  throw InvalidInput(
+      {.file = what, .text = "its XML is damaged or cut short; fetch the file again"});
 }
 
 std::size_t past(std::string_view text, std::string_view mark, std::size_t from,

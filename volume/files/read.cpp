@@ -15,6 +15,7 @@
 #include "volume/formats/nifti.h"
 #include "volume/formats/npy.h"
 #include "volume/formats/nrrd.h"
+#include "volume/formats/raw.h"
 #include "volume/formats/vti.h"
 #include "volume/mesh/mesh.h"
 #include "volume/slices/slice_file.h"
@@ -42,43 +43,56 @@ Volume read_folder(const std::filesystem::path& path, const ReadOptions& options
   const bool slices = holds_slices(path);
   const bool within = holds_dicom_within(path);
   if (slices && within) {
-    throw InvalidInput(path.string() +
-                       ": holds images itself and DICOM slices in folders within it; give the "
-                       "folder of those that are meant");
+    throw InvalidInput({.file = path.string(),
+                        .text =
+                            "holds images itself and DICOM slices in folders within it; give the "
+                            "folder of those that are meant"});
   }
   if (slices) return read_slice_folder(path, options.format, limits);
   if (within) return read_dicom(path, options.format, limits);
-  throw InvalidInput(path.string() +
-                     ": is a folder without slices that isoloop reads (DICOM, TIFF, PNG or BMP); "
-                     "it holds " +
-                     folder_contents(path) + "; give a file: " + supported_extensions());
+  throw InvalidInput(
+      {.file = path.string(),
+       .text = "is a folder without slices that isoloop reads (DICOM, TIFF, PNG or BMP); "
+               "it holds " +
+               folder_contents(path) + "; give a file: " + supported_extensions()},
+      Fault::unsupported);
+}
+
+Volume read_mesh_file(const std::filesystem::path& path, const ReadOptions& options) {
+  const VoxelLimits limits = limits_of(options);
+  if (options.crop) {
+    throw InvalidArgument({.file = path.string(),
+                           .about = Option::crop,
+                           .text = "is for volumes; a mesh is read whole"});
+  }
+  const Mesh mesh = read_mesh(path, options.max_bytes);
+  if (options.voxel_size.automatic) {
+    return voxelize_until_counts_agree(mesh, options.voxel_size, limits, path.string());
+  }
+  return voxelize(mesh, options.voxel_size, limits, path.string());
 }
 
 Volume read_by_kind(const std::filesystem::path& path, const ReadOptions& options) {
   const VoxelLimits limits = limits_of(options);
-  if (is_mesh(path)) {
-    if (options.crop) {
-      throw InvalidArgument(path.string() + ": --crop is for volumes; a mesh is read whole");
-    }
-    const Mesh mesh = read_mesh(path, options.max_bytes);
-    if (options.voxel_size.automatic) {
-      return voxelize_until_counts_agree(mesh, options.voxel_size, limits, path.string());
-    }
-    return voxelize(mesh, options.voxel_size, limits, path.string());
-  }
+  if (is_mesh(path)) return read_mesh_file(path, options);
   const VoxelSize& size = options.voxel_size;
   if (size.length || size.resolution || size.automatic) {
-    throw InvalidArgument(
-        path.string() + ": --voxel and --resolution are for meshes (.stl, .ply, " + ".obj, .off)");
+    throw InvalidArgument({.file = path.string(),
+                           .about = Option::voxel_size,
+                           .text = "is for meshes: " + mesh_extensions()});
   }
   const std::optional<FileKind> kind = file_kind(path);
   if (!kind) {
     if (is_step(path)) {
-      throw InvalidInput(path.string() + ": STEP files hold exact solids, which isoloop does not " +
-                         "read; export a mesh (.stl) from the CAD program");
+      throw InvalidInput({.file = path.string(),
+                          .text = "STEP files hold exact solids, which isoloop does not "
+                                  "read; export a mesh (.stl) from the CAD program"},
+                         Fault::unsupported);
     }
-    throw InvalidInput(path.string() + ": unknown kind of file; isoloop reads " +
-                       supported_extensions() + ", and meshes: .stl, .ply, .obj and .off");
+    throw InvalidInput({.file = path.string(),
+                        .text = "unknown kind of file; isoloop reads " + supported_extensions() +
+                                ", and meshes: " + mesh_extensions()},
+                       Fault::unsupported);
   }
   switch (*kind) {
     case FileKind::raw:
@@ -102,8 +116,13 @@ Volume read_by_kind(const std::filesystem::path& path, const ReadOptions& option
       return read_npy(path, options.format, limits);
     case FileKind::vti:
       return read_vti(path, options.format, limits);
+    case FileKind::stl:
+    case FileKind::ply:
+    case FileKind::obj:
+    case FileKind::off:
+      break;  // read_mesh_file() has them
   }
-  throw InvalidInput(path.string() + ": unknown kind of file");
+  throw InvalidInput({.file = path.string(), .text = "unknown kind of file"});
 }
 
 /// The part of a volume that was read whole.
@@ -114,10 +133,12 @@ Volume part_of(Volume volume, const ReadOptions& options, const std::string& wha
                               checked_voxel_bytes(box.dims, voxel_bytes, what);
   const std::uint64_t limit = options.max_bytes == 0 ? default_voxel_limit() : options.max_bytes;
   if (bytes > limit) {
-    throw LimitExceeded(what + ": " + dims_text(volume.dims) +
-                        " voxels and the part of them need " + bytes_text(bytes) +
-                        ", and the limit is " + bytes_text(limit) +
-                        "; raise --max-memory or take a smaller volume");
+    throw LimitExceeded(
+        {.file = what,
+         .text = dims_text(volume.dims) + " voxels and the part of them need " + bytes_text(bytes) +
+                 ", and the limit is " + bytes_text(limit),
+         .advice = {Advice::raise_memory_limit, Advice::take_smaller_volume}},
+        {.unit = Excess::Unit::bytes, .needed = bytes, .limit = limit, .stage = "read"});
   }
   return crop(std::move(volume), *options.crop, what);
 }
@@ -126,7 +147,9 @@ template <class T>
 void replace_nan(std::vector<T>& values, double nan_as, const std::string& what) {
   const double most = std::numeric_limits<T>::max();
   if (std::isnan(nan_as) || (std::isfinite(nan_as) && std::abs(nan_as) > most)) {
-    throw InvalidArgument(what + ": --nan-as must be a number that its voxels can hold");
+    throw InvalidArgument({.file = what,
+                           .about = Option::nan_value,
+                           .text = "must be a number that its voxels can hold"});
   }
   std::replace_if(
       values.begin(), values.end(), [](T value) { return std::isnan(value); },
@@ -140,10 +163,14 @@ void refuse_nan(const std::vector<T>& values, const Index3& dims, const std::str
   if (first == values.end()) return;
   const std::int64_t at = first - values.begin();
   const auto text = [](std::int64_t number) { return std::to_string(number); };
-  throw InvalidInput(what + ": NaN in voxels: " + text(std::count_if(first, values.end(), is_nan)) +
-                     ", the first at (" + text(at % dims[0]) + ", " + text(at / dims[0] % dims[1]) +
-                     ", " + text(at / (dims[0] * dims[1])) +
-                     "); say with --nan-as VALUE what NaN stands for");
+  const std::int64_t count = std::count_if(first, values.end(), is_nan);
+  throw InvalidInput(
+      {.file = what,
+       .place = "voxel (" + text(at % dims[0]) + ", " + text(at / dims[0] % dims[1]) + ", " +
+                text(at / (dims[0] * dims[1])) + ")",
+       .text = count == 1 ? "NaN" : "NaN, the first of " + text(count),
+       .advice = {Advice::replace_nan}},
+      Fault::not_finite);
 }
 
 }  // namespace

@@ -11,7 +11,8 @@ namespace isoloop {
 
 void write_volume(const Volume& volume, const std::filesystem::path& path) {
   if (!is_written(path)) {
-    throw InvalidArgument(path.string() + ": volumes are written as " + written_extensions());
+    throw InvalidArgument(
+        {.file = path.string(), .text = "volumes are written as " + written_extensions()});
   }
   AtomicFile file(path);
   write_volume(file.stream(), volume, path);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <set>
 #include <string>
@@ -11,7 +10,10 @@
 #include <vector>
 
 #include "core/base/errors.h"
+#include "core/grid/vec3.h"
 #include "volume/base/header_text.h"
+#include "volume/base/refuse.h"
+#include "volume/base/rounded_text.h"
 #include "volume/formats/dicom_elements.h"
 #include "volume/formats/dicom_slice.h"
 #include "volume/voxels/stored_voxels.h"
@@ -20,18 +22,6 @@ namespace isoloop {
 namespace {
 
 using Slices = std::vector<DicomSlice>;
-
-[[noreturn]] void refuse(const std::string& what, const std::string& complaint) {
-  throw InvalidInput(what + ": " + complaint);
-}
-
-std::string text(double number) {
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.6g", number);
-  return digits.data();
-}
-
-double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 using Paths = std::vector<std::filesystem::path>;
 
@@ -49,7 +39,7 @@ Paths files_by(const std::filesystem::path& folder) {
     if (files.size() == most) refuse(folder.string(), "holds more than a million files");
     files.push_back(entry->path());
   }
-  if (error) refuse(folder.string(), "cannot be read: " + error.message());
+  if (error) refuse(folder.string(), "cannot be read: " + error.message(), Fault::unreadable);
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -112,9 +102,12 @@ Slices choose_series(Slices slices, const std::string& wanted, const std::string
   if (const auto exact = series.find(wanted); exact != series.end()) return exact->second;
   std::erase_if(series, [&](const auto& one) { return !is_meant(one.second.front(), wanted); });
   if (series.size() == 1) return std::move(series.begin()->second);
-  throw InvalidArgument(what + ": " + (series.empty() ? "no series" : "more than one series") +
-                        (wanted.empty() ? "" : " fits --series " + wanted) +
-                        "; choose by --series among: " + list);
+  throw InvalidArgument(
+      {.file = what,
+       .text = std::string(series.empty() ? "no series" : "more than one series") +
+               (wanted.empty() ? "" : " fits '" + wanted + "'") + " among: " + list,
+       .advice = {Advice::choose_series}},
+      Option::series);
 }
 
 void check_alike(const Slices& slices) {
@@ -136,9 +129,7 @@ void check_alike(const Slices& slices) {
 }
 
 double height_of(const DicomSlice& slice) {
-  const auto& [u, v] = slice.axes;
-  const Vec3 normal{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                    u[0] * v[1] - u[1] * v[0]};
+  const Vec3 normal = cross(slice.axes[0], slice.axes[1]);
   return dot(*slice.position, normal);
 }
 
@@ -188,19 +179,23 @@ void check_gaps(const Slices& slices, bool spacing_given, Volume& volume) {
   const double usual = sorted[sorted.size() / 2];
   for (std::size_t i = 0; i < gaps.size(); ++i) {
     if (gaps[i] > usual / 1.5 && gaps[i] < 1.5 * usual) continue;
-    const std::string complaint = slices[i + 1].path.string() + ": lies " + text(gaps[i]) +
-                                  " from " + slices[i].path.string() + ", other slices lie " +
-                                  text(usual) +
+    const std::string file = slices[i + 1].path.string();
+    const std::string complaint = "lies " + rounded_text(gaps[i]) + " from " +
+                                  slices[i].path.string() + ", other slices lie " +
+                                  rounded_text(usual) +
                                   " apart: a slice is missing, or one does not belong";
     if (!spacing_given) {
-      throw InvalidInput(complaint + "; give --spacing X Y Z to read them as evenly spaced");
+      refuse(file, complaint + "; a stated spacing has them read as evenly spaced", Fault::damaged,
+             {Advice::state_spacing});
     }
-    volume.warnings.push_back(complaint + "; they are read as evenly spaced");
+    volume.warnings.push_back(
+        {.file = file, .text = complaint + "; they are read as evenly spaced"});
     return;
   }
   if (sorted.back() - sorted.front() <= 0.01 * usual) return;
-  volume.warnings.push_back("slices lie " + text(sorted.front()) + " to " + text(sorted.back()) +
-                            " apart; they are read as evenly spaced");
+  volume.warnings.push_back({.text = "slices lie " + rounded_text(sorted.front()) + " to " +
+                                     rounded_text(sorted.back()) +
+                                     " apart; they are read as evenly spaced"});
 }
 
 Placement placement_of(const Slices& slices) {
@@ -214,8 +209,7 @@ Placement placement_of(const Slices& slices) {
       placement.columns[axis][c] = first.axes[axis][c] * spacing[axis];
     }
   }
-  const auto& [u, v] = first.axes;
-  Vec3 step{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+  Vec3 step = cross(first.axes[0], first.axes[1]);
   for (std::size_t c = 0; c < 3; ++c) {
     const double steps = static_cast<double>(slices.size()) - 1.0;
     step[c] = slices.size() == 1 ? step[c] * spacing[2]
@@ -278,8 +272,9 @@ Volume read_dicom(const std::filesystem::path& path, const FormatOptions& option
   });
   if (!placed && !options.spacing) {
     refuse(what,
-           "its slices do not state their place; give --spacing X Y Z to read them in the "
-           "order of their instance numbers");
+           "its slices do not state their place; with a stated spacing they are read in the order "
+           "of their instance numbers",
+           Fault::damaged, {Advice::state_spacing});
   }
   const std::vector<Slices> frames = sorted_frames(std::move(slices), placed, what);
   const Slices& first = frames.front();
@@ -295,12 +290,12 @@ Volume read_dicom(const std::filesystem::path& path, const FormatOptions& option
   place(volume, options.spacing ? Placement{} : placement_of(chosen), options.spacing, what);
   if (!options.spacing) volume.unit = "mm";
   if (folder && chosen.front().path.parent_path() != (path / "").parent_path()) {
-    volume.notes.push_back("slices are in " + chosen.front().path.parent_path().string());
+    volume.notes.push_back({.text = "slices are in " + chosen.front().path.parent_path().string()});
   }
   if (scales_alike(chosen)) {
     add_scale_note(chosen.front().layout, volume);
   } else {
-    volume.notes.emplace_back("values are scaled slice by slice, as each states");
+    volume.notes.push_back({.text = "values are scaled slice by slice, as each states"});
   }
   volume.values = read_values(chosen, checked_voxel_count(volume.dims, what), what);
   return volume;

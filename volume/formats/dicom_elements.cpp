@@ -9,6 +9,7 @@
 #include "core/base/errors.h"
 #include "volume/base/byte_stream.h"
 #include "volume/base/header_text.h"
+#include "volume/base/refuse.h"
 
 namespace isoloop {
 namespace {
@@ -99,8 +100,9 @@ class Walker {
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& complaint) const {
-    throw InvalidInput(what_ + ": " + complaint);
+  [[noreturn]] void refuse(const std::string& complaint, Fault fault = Fault::damaged,
+                           std::vector<Advice> advice = {}) const {
+    isoloop::refuse(what_, complaint, fault, std::move(advice));
   }
 
   std::uint64_t position() const { return size_ - stream_.most_left(); }
@@ -188,7 +190,7 @@ class Walker {
     found_.transfer_syntax = text_of(found_, syntax_tag);
     if (found_.transfer_syntax.empty()) refuse("does not state its transfer syntax");
     if (found_.transfer_syntax == "1.2.840.10008.1.2.1.99") {
-      refuse("is deflated as a whole; convert it with: gdcmconv --raw");
+      refuse("is deflated as a whole", Fault::unsupported, {Advice::unpack_slices});
     }
     explicit_ = found_.transfer_syntax != implicit_little;
     endian_ = found_.transfer_syntax == "1.2.840.10008.1.2.2" ? Endian::big : Endian::little;
@@ -298,7 +300,8 @@ std::optional<std::int64_t> whole_of(const DicomElements& elements, DicomTag tag
                                      const std::string& what) {
   const auto found = elements.values.find(tag);
   if (found == elements.values.end()) return std::nullopt;
-  if (found->second.size() != 2) throw InvalidInput(what + ": a number of its header is damaged");
+  if (found->second.size() != 2)
+    throw InvalidInput({.file = what, .text = "a number of its header is damaged"});
   return load<std::uint16_t>(std::as_bytes(std::span(found->second)), 0, elements.endian);
 }
 

@@ -3,15 +3,11 @@
 #include <type_traits>
 #include <vector>
 
-#include "core/base/errors.h"
+#include "volume/base/refuse.h"
 #include "volume/formats/dicom_elements.h"
 
 namespace isoloop {
 namespace {
-
-[[noreturn]] void refuse(const std::string& what, const std::string& complaint) {
-  throw InvalidInput(what + ": " + complaint);
-}
 
 std::int64_t required(const DicomElements& elements, DicomTag tag, const char* name,
                       const std::string& what) {
@@ -25,20 +21,24 @@ void refuse_what_is_no_slice(const DicomElements& elements, const std::string& w
     refuse(what, "holds no pixels: it is cut short or no image; fetch it again or move it away");
   }
   if (elements.packed_pixels) {
-    refuse(what, "its pixels are compressed (transfer syntax " + elements.transfer_syntax +
-                     "); unpack them with: gdcmconv --raw IN OUT");
+    refuse(what, "its pixels are compressed (transfer syntax " + elements.transfer_syntax + ")",
+           Fault::unsupported, {Advice::unpack_slices});
   }
   const std::string frames = text_of(elements, 0x00280008U);
   if (!frames.empty() && frames != "1") {
-    refuse(what, "holds " + frames +
-                     " frames in one file, which isoloop does not read; convert "
-                     "it to single slices or NIfTI");
+    refuse(what,
+           "holds " + frames +
+               " frames in one file, which isoloop does not read; convert "
+               "it to single slices or NIfTI",
+           Fault::unsupported);
   }
   const std::int64_t samples = whole_of(elements, 0x00280002U, what).value_or(1);
   const std::string colours = text_of(elements, 0x00280004U);
   if (samples != 1 || (!colours.empty() && !colours.starts_with("MONOCHROME"))) {
-    refuse(what, "holds colour (" + colours + ", " + std::to_string(samples) +
-                     " samples per pixel), not one value per voxel");
+    refuse(what,
+           "holds colour (" + colours + ", " + std::to_string(samples) +
+               " samples per pixel), not one value per voxel",
+           Fault::unsupported);
   }
 }
 
@@ -50,8 +50,10 @@ void set_pixels(const DicomElements& elements, DicomSlice& slice, const std::str
   const auto bytes = static_cast<std::uint64_t>(allocated / 8);
   if ((allocated != 8 && allocated != 16 && allocated != 32) || stored < 1 || stored > allocated ||
       high < stored - 1 || high >= allocated) {
-    refuse(what, "states pixels of " + std::to_string(stored) + " bits in " +
-                     std::to_string(allocated) + ", which isoloop does not read");
+    refuse(what,
+           "states pixels of " + std::to_string(stored) + " bits in " + std::to_string(allocated) +
+               ", which isoloop does not read",
+           Fault::unsupported);
   }
   slice.stored_bits = static_cast<int>(stored);
   slice.shift = static_cast<int>(high + 1 - stored);

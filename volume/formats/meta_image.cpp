@@ -7,16 +7,12 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/errors.h"
 #include "volume/base/header_text.h"
+#include "volume/base/refuse.h"
 #include "volume/voxels/stored_voxels.h"
 
 namespace isoloop {
 namespace {
-
-[[noreturn]] void refuse(const std::string& what, const std::string& complaint) {
-  throw InvalidInput(what + ": " + complaint);
-}
 
 /// Lines "Name = value" by name in small letters, the last of which says where the voxels are.
 using Fields = std::map<std::string, std::string>;
@@ -82,13 +78,15 @@ StoredType type_of(const std::string& name, const std::string& what) {
   for (const auto& [text, type] : names) {
     if (lower_case(name) == lower_case(text)) return type;
   }
-  refuse(what, "holds voxels of type '" + name + "', which isoloop does not read");
+  refuse(what, "holds voxels of type '" + name + "', which isoloop does not read",
+         Fault::unsupported);
 }
 
 std::size_t dimensions_of(const Fields& fields, const std::string& what) {
   const auto count = whole_numbers_of(required(fields, "ndims", what), 1, what).front();
   if (count < 1 || count > 4) {
-    refuse(what, "has " + std::to_string(count) + " dimensions; 1 to 4 are read");
+    refuse(what, "has " + std::to_string(count) + " dimensions; 1 to 4 are read",
+           Fault::unsupported);
   }
   return static_cast<std::size_t>(count);
 }
@@ -105,10 +103,12 @@ VoxelLayout layout_of(const Fields& fields, const std::string& what) {
   layout.type = type_of(required(fields, "elementtype", what), what);
   const std::string channels = first_of(fields, {"elementnumberofchannels"});
   if (!channels.empty() && whole_numbers_of(channels, 1, what).front() != 1) {
-    refuse(what, "holds " + channels + " numbers per voxel (multi-channel); take one channel");
+    refuse(what, "holds " + channels + " numbers per voxel (multi-channel); take one channel",
+           Fault::unsupported);
   }
   if (!flag(fields, {"binarydata"}, true, what)) {
-    refuse(what, "holds its voxels as text; convert them to binary (BinaryData = True)");
+    refuse(what, "holds its voxels as text; convert them to binary (BinaryData = True)",
+           Fault::unsupported);
   }
   if (flag(fields, {"binarydatabyteordermsb", "elementbyteordermsb"}, false, what)) {
     layout.endian = Endian::big;
@@ -167,7 +167,9 @@ void read_data(const Fields& fields, const std::filesystem::path& data, std::uin
   const std::int64_t skipped = header_size(fields, what);
   if (skipped > 0) first += static_cast<std::uint64_t>(skipped);
   if (skipped == -1) {
-    if (packed) refuse(what, "its voxels are compressed, so HeaderSize -1 says not where they are");
+    if (packed)
+      refuse(what, "its voxels are compressed, so HeaderSize -1 says not where they are",
+             Fault::unsupported);
     const std::uint64_t wanted =
         checked_voxel_bytes(layout.dims, bytes_per_voxel(layout.type), what) * layout.frames;
     ByteStream whole(data, Packing::plain, first);
@@ -180,9 +182,9 @@ void read_data(const Fields& fields, const std::filesystem::path& data, std::uin
   read_voxels(stream, layout, frame, limits, what, volume);
   // The voxels' own checksum was there and right.
   if (packed && !stated.empty() && stated != std::to_string(present)) {
-    volume.warnings.push_back("the header states " + stated + " compressed bytes, but " +
-                              std::to_string(present) +
-                              " are there: their checksum proves that they are whole");
+    volume.warnings.push_back({.text = "the header states " + stated + " compressed bytes, but " +
+                                       std::to_string(present) +
+                                       " are there: their checksum proves that they are whole"});
   }
 }
 
@@ -196,11 +198,12 @@ Volume read_meta_image(const std::filesystem::path& path, const FormatOptions& o
   const Fields fields = read_fields(header, what, is_ended);
   if (const std::string object = first_of(fields, {"objecttype"});
       !object.empty() && lower_case(object) != "image") {
-    refuse(what, "holds an object of type " + object + ", not an image");
+    refuse(what, "holds an object of type " + object + ", not an image", Fault::unsupported);
   }
   const std::string file = fields.at("elementdatafile");
   if (names_several_files(path, file)) {
-    refuse(what, "its voxels lie in several files ('" + file + "'); join them to one .mha file");
+    refuse(what, "its voxels lie in several files ('" + file + "'); join them to one .mha file",
+           Fault::unsupported);
   }
   VoxelLayout layout = layout_of(fields, what);
   if (options.crop) layout.part = voxels_in(*options.crop, layout.dims, what);

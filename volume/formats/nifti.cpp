@@ -8,6 +8,7 @@
 
 #include "core/base/errors.h"
 #include "volume/base/byte_order.h"
+#include "volume/base/refuse.h"
 #include "volume/voxels/stored_voxels.h"
 
 namespace isoloop {
@@ -27,10 +28,6 @@ struct Header {
   std::array<std::array<double, 4>, 3> rows;  // of the sform
   int units = 0;
 };
-
-[[noreturn]] void refuse(const std::string& what, const std::string& complaint) {
-  throw InvalidInput(what + ": " + complaint);
-}
 
 StoredType type_of(int code, int bits, const std::string& what) {
   struct Code {
@@ -55,19 +52,23 @@ StoredType type_of(int code, int bits, const std::string& what) {
     }
     return type;
   }
-  if (code == 128 || code == 2304) refuse(what, "holds colour (RGB) voxels; take one channel");
+  if (code == 128 || code == 2304)
+    refuse(what, "holds colour (RGB) voxels; take one channel", Fault::unsupported);
   if (code == 32 || code == 1792 || code == 2048) {
-    refuse(what, "holds complex voxels; take their magnitude or phase");
+    refuse(what, "holds complex voxels; take their magnitude or phase", Fault::unsupported);
   }
-  refuse(what, "holds voxels of NIfTI datatype " + std::to_string(code) +
-                   ", which isoloop does not read; convert them to float32");
+  refuse(what,
+         "holds voxels of NIfTI datatype " + std::to_string(code) +
+             ", which isoloop does not read; convert them to float32",
+         Fault::unsupported);
 }
 
 // Extents along x to z, t and three more axes.
 void set_dims(const std::array<std::int64_t, 8>& dim, VoxelLayout& layout,
               const std::string& what) {
   if (dim[0] < 1 || dim[0] > 7) {
-    refuse(what, "its header states " + std::to_string(dim[0]) + " dimensions; 1 to 7 make sense");
+    refuse(what, "its header states " + std::to_string(dim[0]) + " dimensions; 1 to 7 make sense",
+           Fault::unsupported);
   }
   for (std::size_t axis = 1; axis <= static_cast<std::size_t>(dim[0]); ++axis) {
     if (axis > 3 && dim[axis] == 0) continue;  // programs leave it so where there is no such axis
@@ -78,8 +79,10 @@ void set_dims(const std::array<std::int64_t, 8>& dim, VoxelLayout& layout,
     if (axis <= 3) layout.dims[axis - 1] = dim[axis];
     if (axis == 4) layout.frames = static_cast<std::uint64_t>(dim[axis]);
     if (axis > 4 && dim[axis] > 1) {
-      refuse(what, "holds " + std::to_string(dim[axis]) +
-                       " numbers per voxel (vector or multi-channel); take one channel");
+      refuse(what,
+             "holds " + std::to_string(dim[axis]) +
+                 " numbers per voxel (vector or multi-channel); take one channel",
+             Fault::unsupported);
     }
   }
 }
@@ -159,7 +162,8 @@ Header parse_first(std::span<const std::byte> bytes, Endian endian, const std::s
   if (!header.detached && !holds(bytes, 344, {"n+1\0", 4})) {
     refuse(what,
            "is no NIfTI file (perhaps ANALYZE 7.5, which does not say left from right); "
-           "convert it to NIfTI");
+           "convert it to NIfTI",
+           Fault::unsupported);
   }
   const Fields fields(bytes, endian);
   parse<std::int16_t, float, std::int16_t, std::uint8_t>(fields, first_places, header, what);
@@ -246,9 +250,9 @@ void compare_forms(const Header& header, bool by_sform, Volume& volume) {
   const double apart = largest_distance(sform_of(header), qform_of(header), volume.dims);
   const double voxel = *std::min_element(volume.spacing.begin(), volume.spacing.end());
   if (apart <= 0.01 * voxel) return;
-  volume.warnings.push_back("sform and qform differ by up to " + std::to_string(apart) + ": the " +
-                            (by_sform ? "sform" : "qform") + " is used; --affine " +
-                            (by_sform ? "qform" : "sform") + " takes the other");
+  volume.warnings.push_back({.text = "sform and qform differ by up to " + std::to_string(apart) +
+                                     ": the " + (by_sform ? "sform" : "qform") + " is used",
+                             .advice = {by_sform ? Advice::choose_qform : Advice::choose_sform}});
 }
 
 void place_volume(const Header& header, const FormatOptions& options, Volume& volume,
@@ -258,9 +262,10 @@ void place_volume(const Header& header, const FormatOptions& options, Volume& vo
   const NiftiTransform wanted = options.transform;
   if ((wanted == NiftiTransform::sform && !has_sform) ||
       (wanted == NiftiTransform::qform && !has_qform)) {
-    throw InvalidArgument(what + ": its header has no " +
-                          (wanted == NiftiTransform::sform ? "sform" : "qform") +
-                          ", which --affine asks for");
+    throw InvalidArgument({.file = what,
+                           .text = std::string("its header has no ") +
+                                   (wanted == NiftiTransform::sform ? "sform" : "qform")},
+                          Option::transform);
   }
   const bool by_sform = has_sform && wanted != NiftiTransform::qform;
   if (by_sform) {
@@ -269,9 +274,11 @@ void place_volume(const Header& header, const FormatOptions& options, Volume& vo
     } catch (const InvalidInput& error) {
       if (!has_qform) throw;
       const Vec3 other = pixdim_of(header);
-      throw InvalidInput(std::string(error.what()) + "; its qform states the spacing " +
-                         std::to_string(other[0]) + " " + std::to_string(other[1]) + " " +
-                         std::to_string(other[2]) + ": --affine qform takes that");
+      Finding found = error.finding;
+      found.text += "; its qform states the spacing " + std::to_string(other[0]) + " " +
+                    std::to_string(other[1]) + " " + std::to_string(other[2]);
+      found.advice.push_back(Advice::choose_qform);
+      throw InvalidInput(found, error.fault);
     }
   } else if (has_qform) {
     if (!options.spacing) columns_of(pixdim_of(header), what);
@@ -283,10 +290,11 @@ void place_volume(const Header& header, const FormatOptions& options, Volume& vo
   }
   if (options.spacing) return;
   volume.notes.push_back(
-      by_sform ? "placed by the " + code_text("sform", header.sform_code)
-      : has_qform
-          ? "placed by the " + code_text("qform", header.qform_code)
-          : "the header has neither sform nor qform: the spacing is known, the place is not");
+      {.text =
+           by_sform ? "placed by the " + code_text("sform", header.sform_code)
+           : has_qform
+               ? "placed by the " + code_text("qform", header.qform_code)
+               : "the header has neither sform nor qform: the spacing is known, the place is not"});
   if (has_sform && has_qform) compare_forms(header, by_sform, volume);
 }
 
@@ -294,7 +302,7 @@ void add_unit(const Header& header, const FormatOptions& options, Volume& volume
   constexpr std::array<const char*, 4> units{"", "m", "mm", "micrometres"};
   const auto code = static_cast<std::size_t>(header.units & 7);
   if (code > 0 && code < units.size()) {
-    volume.notes.push_back(std::string("lengths are in ") + units[code]);
+    volume.notes.push_back({.text = std::string("lengths are in ") + units[code]});
     if (!options.spacing) volume.unit = code == 3 ? "µm" : units[code];
   }
 }

@@ -8,16 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/errors.h"
 #include "volume/base/header_text.h"
+#include "volume/base/refuse.h"
 #include "volume/voxels/stored_voxels.h"
 
 namespace isoloop {
 namespace {
-
-[[noreturn]] void refuse(const std::string& what, const std::string& complaint) {
-  throw InvalidInput(what + ": " + complaint);
-}
 
 /// The text of the dictionary that describes the array.
 std::string read_dictionary(ByteStream& stream, const std::string& what) {
@@ -28,7 +24,8 @@ std::string read_dictionary(ByteStream& stream, const std::string& what) {
     if (start[i] != static_cast<std::byte>(magic[i])) refuse(what, "is no .npy file");
   }
   const int version = std::to_integer<int>(start[6]);
-  if (version < 1 || version > 3) refuse(what, "is of a .npy version that isoloop does not know");
+  if (version < 1 || version > 3)
+    refuse(what, "is of a .npy version that isoloop does not know", Fault::unsupported);
   std::array<std::byte, 4> size{};
   stream.read(std::span(size).first(version == 1 ? 2 : 4), "its header");
   const auto bytes = load<std::uint32_t>(size, 0, Endian::little);
@@ -72,10 +69,11 @@ void set_type(std::string_view text, VoxelLayout& layout, const std::string& wha
   const std::string_view value = value_of(text, "descr", what);
   const std::size_t end = value.find('\'', 1);
   if (!value.starts_with('\'') || end == std::string_view::npos) {
-    refuse(what, "holds records of several fields, not one number per voxel");
+    refuse(what, "holds records of several fields, not one number per voxel", Fault::unsupported);
   }
   const std::string name(value.substr(1, end - 1));
-  if (name.size() != 3) refuse(what, "holds values of type '" + name + "', not numbers");
+  if (name.size() != 3)
+    refuse(what, "holds values of type '" + name + "', not numbers", Fault::unsupported);
   const char order = name[0];
   const char kind = name[1];
   const auto bytes = static_cast<std::uint64_t>(name[2] - '0');
@@ -86,8 +84,10 @@ void set_type(std::string_view text, VoxelLayout& layout, const std::string& wha
   if (kind == 'f') type = float_type(bytes);
   const bool ordered = order == '<' || order == '>' || (order == '|' && bytes == 1);
   if (!type || !ordered) {
-    refuse(what, kind == 'c' ? "holds complex numbers; take their magnitude or phase"
-                             : "holds values of type '" + name + "', which isoloop does not read");
+    refuse(what,
+           kind == 'c' ? "holds complex numbers; take their magnitude or phase"
+                       : "holds values of type '" + name + "', which isoloop does not read",
+           Fault::unsupported);
   }
   layout.type = *type;
 }
@@ -119,8 +119,10 @@ Volume read_npy(const std::filesystem::path& path, const FormatOptions& options,
   const bool fortran = is_fortran(text, what);
   std::vector<std::int64_t> shape = shape_of(text, what);
   if (shape.size() < 2 || shape.size() > 4 || (fortran && shape.size() == 4)) {
-    refuse(what, "is an array of " + std::to_string(shape.size()) +
-                     " axes; isoloop reads [y, x], [z, y, x] and, in C order, [frame, z, y, x]");
+    refuse(what,
+           "is an array of " + std::to_string(shape.size()) +
+               " axes; isoloop reads [y, x], [z, y, x] and, in C order, [frame, z, y, x]",
+           Fault::unsupported);
   }
   if (*std::min_element(shape.begin(), shape.end()) < 1) refuse(what, "has an axis of no voxels");
   if (shape.size() == 4) {

@@ -10,16 +10,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/errors.h"
 #include "volume/base/header_text.h"
+#include "volume/base/refuse.h"
 #include "volume/voxels/stored_voxels.h"
 
 namespace isoloop {
 namespace {
-
-[[noreturn]] void refuse(const std::string& what, const std::string& complaint) {
-  throw InvalidInput(what + ": " + complaint);
-}
 
 /// Lines "name: value", by name; names that mean the same are made one.
 using Fields = std::map<std::string, std::string>;
@@ -60,7 +56,8 @@ Fields read_fields(ByteStream& stream, bool& detached, bool& is_ended, const std
     if (!fields.emplace(name, value).second) refuse(what, "its header states " + name + " twice");
     if (!is_ended && !proves_itself(name)) refuse(what, "ends within its header");
     if (name == "datafile" && names_several_files(what, value)) {
-      refuse(what, "its voxels lie in several files; join them with: unu save -e gzip");
+      refuse(what, "its voxels lie in several files; join them with: unu save -e gzip",
+             Fault::unsupported);
     }
   }
   detached = fields.contains("datafile");
@@ -116,7 +113,8 @@ StoredType type_of(const std::string& name, const std::string& what) {
   for (const auto& [text, type] : names) {
     if (name == text) return type;
   }
-  refuse(what, "holds voxels of type '" + name + "', which isoloop does not read");
+  refuse(what, "holds voxels of type '" + name + "', which isoloop does not read",
+         Fault::unsupported);
 }
 
 /// Which of the file's axes are x, y and z, and how many voxels lie along the one after them.
@@ -151,10 +149,12 @@ Axes axes_of(const Fields& fields, const std::string& what) {
     } else if (axis + 1 == count && (space || is_frame_kind(kinds[axis]))) {
       axes.frames = axes.sizes[axis];
     } else if (axes.sizes[axis] > 1) {
-      refuse(what, "holds " + std::to_string(axes.sizes[axis]) + " numbers per voxel (axis " +
-                       std::to_string(axis) + " is of kind " + kinds[axis] +
-                       "); take one channel, for example with: unu slice -a " +
-                       std::to_string(axis) + " -p 0");
+      refuse(what,
+             "holds " + std::to_string(axes.sizes[axis]) + " numbers per voxel (axis " +
+                 std::to_string(axis) + " is of kind " + kinds[axis] +
+                 "); take one channel, for example with: unu slice -a " + std::to_string(axis) +
+                 " -p 0",
+             Fault::unsupported);
     }
   }
   if (axes.spatial.empty()) refuse(what, "none of its axes is one of space");
@@ -206,7 +206,8 @@ Space space_of(const Fields& fields, const std::string& what) {
   if (space == "scanner-xyz" || space == "3d-right-handed" || space == "3d-left-handed") {
     return {.frame = Frame::world};
   }
-  refuse(what, "lies in the space '" + space + "', which isoloop does not know");
+  refuse(what, "lies in the space '" + space + "', which isoloop does not know",
+         Fault::unsupported);
 }
 
 // Lengths alone: `spacings`, of all axes of the file.
@@ -215,7 +216,8 @@ Placement placement_by_spacings(const Fields& fields, const Axes& axes, const st
   const auto given = fields.find("spacings");
   if (given == fields.end()) {
     if (fields.contains("axismins") || fields.contains("axismaxs")) {
-      refuse(what, "its header states axis mins and maxs but no spacings; give --spacing X Y Z");
+      refuse(what, "its header states axis mins and maxs but no spacings", Fault::damaged,
+             {Advice::state_spacing});
     }
     return placement;
   }
@@ -277,8 +279,10 @@ bool is_gzip(const Fields& fields, const std::string& what) {
   const std::string encoding = lower_case(field(fields, "encoding", what));
   if (encoding == "raw") return false;
   if (encoding == "gzip" || encoding == "gz") return true;
-  refuse(what, "its encoding is '" + encoding +
-                   "', and isoloop reads raw and gzip; convert it with: unu save -e gzip");
+  refuse(what,
+         "its encoding is '" + encoding +
+             "', and isoloop reads raw and gzip; convert it with: unu save -e gzip",
+         Fault::unsupported);
 }
 
 /// Where the voxels are: a stream at the first of them.

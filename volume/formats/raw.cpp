@@ -18,14 +18,17 @@ namespace {
 
 RawLayout layout_for(const std::filesystem::path& path, const RawOptions& options) {
   const std::optional<RawLayout> named = layout_from_name(path);
-  const std::string hint = "; name the file NAME_256x256x128_uint8.raw or give ";
   if (!options.dims && !named) {
-    throw InvalidArgument(path.string() + ": a raw file does not state its dimensions" + hint +
-                          "--dims (and --type)");
+    throw InvalidArgument({.file = path.string(),
+                           .text = "a raw file does not state its dimensions",
+                           .advice = {Advice::name_raw_file, Advice::state_dims}},
+                          Option::dims);
   }
   if (!options.type && !named) {
-    throw InvalidArgument(path.string() + ": a raw file does not state its voxel type" + hint +
-                          "--type");
+    throw InvalidArgument({.file = path.string(),
+                           .text = "a raw file does not state its voxel type",
+                           .advice = {Advice::name_raw_file, Advice::state_voxel_type}},
+                          Option::voxel_type);
   }
   return {options.dims ? *options.dims : named->dims, options.type ? *options.type : named->type};
 }
@@ -33,8 +36,9 @@ RawLayout layout_for(const std::filesystem::path& path, const RawOptions& option
 void check_spacing(const std::filesystem::path& path, const Vec3& spacing) {
   for (const double length : spacing) {
     if (!is_spacing(length)) {
-      throw InvalidArgument(path.string() +
-                            ": the spacing (--spacing) must lie between 1e-18 and 1e18");
+      throw InvalidArgument({.file = path.string(),
+                             .about = Option::spacing,
+                             .text = "must lie between 1e-18 and 1e18"});
     }
   }
 }
@@ -46,10 +50,11 @@ void check_file_size(const std::filesystem::path& path, const RawLayout& layout,
   const bool fits = skip <= std::numeric_limits<std::uint64_t>::max() - voxel_bytes;
   const std::string expected = fits ? std::to_string(skip + voxel_bytes) : "more";
   const std::string after = skip > 0 ? " after " + std::to_string(skip) + " skipped bytes" : "";
-  throw InvalidInput(path.string() + ": the file has " + std::to_string(found) + " bytes, but " +
-                     dims_text(layout.dims) + " voxels of " + type_name(layout.type) + after +
-                     " take " + expected +
-                     "; check --dims, --type and --skip, or fetch the file again");
+  throw InvalidInput({.file = path.string(),
+                      .text = "the file has " + std::to_string(found) + " bytes, but " +
+                              dims_text(layout.dims) + " voxels of " + type_name(layout.type) +
+                              after + " take " + expected,
+                      .advice = {Advice::check_raw_layout}});
 }
 
 }  // namespace

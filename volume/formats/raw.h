@@ -1,26 +1,15 @@
 // Raw volumes: voxels and nothing else, so size and type come from the name or the caller.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <iosfwd>
 #include <optional>
 
-#include "volume/base/byte_order.h"
+#include "isoloop/read.h"
+#include "isoloop/volume.h"
 #include "volume/base/memory_limit.h"
-#include "volume/voxels/crop.h"
-#include "volume/voxels/volume.h"
 
 namespace isoloop {
-
-struct RawOptions {
-  std::optional<Index3> dims{};     // voxels along each axis; unset: as the file's name states
-  std::optional<VoxelType> type{};  // unset: as the file's name states
-  Endian endian = Endian::little;
-  std::uint64_t skip = 0;         // bytes before the first voxel
-  Vec3 spacing{1.0, 1.0, 1.0};    // length per voxel along each axis
-  std::optional<CropBox> crop{};  // voxels to read; unset: all
-};
 
 struct RawLayout {
   Index3 dims{};  // voxels along each axis

@@ -14,16 +14,13 @@
 
 #include "core/base/errors.h"
 #include "volume/base/header_text.h"
+#include "volume/base/refuse.h"
 #include "volume/formats/vti_data.h"
 #include "volume/formats/vti_header.h"
 #include "volume/voxels/stored_voxels.h"
 
 namespace isoloop {
 namespace {
-
-[[noreturn]] void refuse(const std::string& what, const std::string& complaint) {
-  throw InvalidInput(what + ": " + complaint);
-}
 
 StoredType type_of(const std::string& name, const std::string& what) {
   struct Name {
@@ -43,7 +40,8 @@ StoredType type_of(const std::string& name, const std::string& what) {
   for (const auto& [text, type] : names) {
     if (name == text) return type;
   }
-  refuse(what, "holds values of type '" + name + "', which isoloop does not read");
+  refuse(what, "holds values of type '" + name + "', which isoloop does not read",
+         Fault::unsupported);
 }
 
 VtiEncoding encoding_of(const VtiHeader& header, const std::string& what) {
@@ -54,7 +52,8 @@ VtiEncoding encoding_of(const VtiHeader& header, const std::string& what) {
   if (order != "LittleEndian" && order != "BigEndian") refuse(what, "its byte order is " + order);
   if (sizes != "UInt32" && sizes != "UInt64") refuse(what, "states sizes as " + sizes);
   if (!compressor.empty() && compressor != "vtkZLibDataCompressor") {
-    refuse(what, "is compressed by " + compressor + "; isoloop reads vtkZLibDataCompressor");
+    refuse(what, "is compressed by " + compressor + "; isoloop reads vtkZLibDataCompressor",
+           Fault::unsupported);
   }
   encoding.endian = order == "BigEndian" ? Endian::big : Endian::little;
   encoding.size_bytes = sizes == "UInt64" ? 8 : 4;
@@ -184,9 +183,12 @@ std::string whole_file(const std::filesystem::path& path, const VoxelLimits& lim
   const std::uint64_t limit = limits.max_bytes == 0 ? default_voxel_limit() : limits.max_bytes;
   constexpr std::uint64_t always = std::uint64_t{1} << 20;
   if (bytes > std::max(limit, always)) {
-    throw LimitExceeded(path.string() + ": the file has " + std::to_string(bytes) +
-                        " bytes, and the limit is " + std::to_string(limit) +
-                        "; raise --max-memory");
+    throw LimitExceeded(
+        {.file = path.string(),
+         .text = "the file has " + std::to_string(bytes) + " bytes, and the limit is " +
+                 std::to_string(limit),
+         .advice = {Advice::raise_memory_limit}},
+        {.unit = Excess::Unit::bytes, .needed = bytes, .limit = limit, .stage = "read"});
   }
   std::string text(bytes, '\0');
   stream.read(std::as_writable_bytes(std::span(text)), "the file");
@@ -203,9 +205,11 @@ Volume read_vti(const std::filesystem::path& path, const FormatOptions& options,
   const VtiArray& array = choose_array(header, options.array, what);
   const std::string components = attribute(array.tag, "NumberOfComponents", "1");
   if (components != "1") {
-    refuse(what, "holds " + components +
-                     " numbers per voxel (vector or multi-channel); take one "
-                     "channel");
+    refuse(what,
+           "holds " + components +
+               " numbers per voxel (vector or multi-channel); take one "
+               "channel",
+           Fault::unsupported);
   }
   VoxelLayout layout;
   layout.type = type_of(attribute(array.tag, "type", ""), what);
@@ -217,7 +221,8 @@ Volume read_vti(const std::filesystem::path& path, const FormatOptions& options,
   volume.dims = layout.dims;
   volume.name = array.name();
   if (array.site == VtiSite::cells) {
-    volume.notes.emplace_back("cells are read as voxels, whose centres lie between the points");
+    volume.notes.push_back(
+        {.text = "cells are read as voxels, whose centres lie between the points"});
   }
   Placement placement;
   if (!options.spacing) placement = placement_of(header, first, what);

@@ -13,7 +13,7 @@ namespace isoloop {
 namespace {
 
 [[noreturn]] void refuse(const std::string& what, const std::string& complaint) {
-  throw InvalidInput(what + ": " + complaint + "; fetch the file again");
+  throw InvalidInput({.file = what, .text = complaint + "; fetch the file again"});
 }
 
 int base64_value(char c) {

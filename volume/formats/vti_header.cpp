@@ -6,13 +6,10 @@
 
 #include "core/base/errors.h"
 #include "volume/base/header_text.h"
+#include "volume/base/refuse.h"
 
 namespace isoloop {
 namespace {
-
-[[noreturn]] void refuse(const std::string& what, const std::string& complaint) {
-  throw InvalidInput(what + ": " + complaint);
-}
 
 /// Without blanks and then `ending` at the end. Throws if it does not end so.
 std::string_view without_ending(std::string_view text, std::string_view ending,
@@ -64,13 +61,14 @@ class Parser {
     if (header_.file.name.empty() && tag.name != "VTKFile") refuse(what_, "is no VTK file");
     if (tag.name == "VTKFile") {
       if (attribute(tag, "type", "") != "ImageData") {
-        refuse(what_, "holds " + attribute(tag, "type", "nothing known") + ", not ImageData");
+        refuse(what_, "holds " + attribute(tag, "type", "nothing known") + ", not ImageData",
+               Fault::unsupported);
       }
       header_.file = tag;
     } else if (tag.name == "ImageData") {
       header_.image = tag;
     } else if (tag.name == "Piece") {
-      if (++pieces_ > 1) refuse(what_, "holds several pieces; save it as one");
+      if (++pieces_ > 1) refuse(what_, "holds several pieces; save it as one", Fault::unsupported);
       if (words_of(attribute(tag, "Extent", "")) !=
           words_of(attribute(header_.image, "WholeExtent", ""))) {
         refuse(what_, "holds a piece that is not the whole");
@@ -178,9 +176,14 @@ const VtiArray& choose_array(const VtiHeader& header, const std::string& wanted,
       wanted.empty() ? unnamed_arrays(header) : arrays_called(header, wanted);
   if (found.size() == 1) return *found.front();
   const bool is_shared = !wanted.empty() && found.size() > 1;
-  throw InvalidArgument(what + ": choose one of its arrays with --grid" +
-                        (is_shared ? " points:" + wanted + " or cells:" + wanted : " NAME") + ": " +
-                        list_of(header));
+  throw InvalidArgument({.file = what,
+                         .text = is_shared ? "has points:" + wanted + " and cells:" + wanted
+                                           : (wanted.empty() ? "holds several arrays, "
+                                                             : "no array is called '" + wanted +
+                                                                   "'; it holds those ") +
+                                                 list_of(header),
+                         .advice = {Advice::choose_grid}},
+                        Option::grid);
 }
 
 }  // namespace isoloop

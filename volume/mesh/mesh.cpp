@@ -8,6 +8,7 @@
 
 #include "core/base/errors.h"
 #include "core/base/memory_budget.h"
+#include "volume/base/file_kind.h"
 #include "volume/base/memory_limit.h"
 #include "volume/mesh/mesh_closure.h"
 #include "volume/mesh/mesh_edges.h"
@@ -32,22 +33,27 @@ void check_join_memory(std::uint64_t triangles, std::uint64_t points, std::uint6
       file_bytes + triangles * bytes_per_triangle + points * bytes_per_point;
   const std::uint64_t limit = max_bytes == 0 ? default_voxel_limit() : max_bytes;
   if (needed <= limit) return;
-  throw LimitExceeded(what + ": to join " + std::to_string(triangles) +
-                      " triangles at their edges takes " + bytes_text(needed) +
-                      ", and the limit is " + bytes_text(limit) +
-                      "; raise --max-memory or take a smaller mesh");
+  throw LimitExceeded(
+      {.file = what,
+       .text = "to join " + std::to_string(triangles) + " triangles at their edges takes " +
+               bytes_text(needed) + ", and the limit is " + bytes_text(limit),
+       .advice = {Advice::raise_memory_limit, Advice::take_smaller_mesh}},
+      {.unit = Excess::Unit::bytes, .needed = needed, .limit = limit, .stage = "read"});
 }
 
 std::optional<MeshKind> mesh_kind(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  if (extension == ".stl") return MeshKind::stl;
-  if (extension == ".ply") return MeshKind::ply;
-  if (extension == ".obj") return MeshKind::obj;
-  if (extension == ".off") return MeshKind::off;
-  return std::nullopt;
+  switch (file_kind(path).value_or(FileKind::raw)) {
+    case FileKind::stl:
+      return MeshKind::stl;
+    case FileKind::ply:
+      return MeshKind::ply;
+    case FileKind::obj:
+      return MeshKind::obj;
+    case FileKind::off:
+      return MeshKind::off;
+    default:
+      return std::nullopt;
+  }
 }
 
 /// How many triangles a binary STL file of `size` bytes holds, if `file` is one.
@@ -70,24 +76,35 @@ std::optional<std::uint64_t> triangles_of_stl(std::istream& file, std::uint64_t 
 std::string read_file(const std::filesystem::path& path, MeshKind kind, std::uint64_t max_bytes) {
   std::error_code error;
   const std::uint64_t size = std::filesystem::file_size(path, error);
-  if (error) throw InvalidInput(path.string() + ": cannot be read: " + error.message());
+  if (error)
+    throw InvalidInput({.file = path.string(), .text = "cannot be read: " + error.message()},
+                       Fault::unreadable);
   std::ifstream file(path, std::ios::binary);
   if (!file) {
-    throw InvalidInput(path.string() + ": cannot be opened; check that you may read it");
+    throw InvalidInput(
+        {.file = path.string(), .text = "cannot be opened; check that you may read it"},
+        Fault::unreadable);
   }
   const std::uint64_t limit = max_bytes == 0 ? default_voxel_limit() : max_bytes;
   const auto triangles = kind == MeshKind::stl ? triangles_of_stl(file, size) : std::nullopt;
   if (triangles) {
     check_join_memory(*triangles, 3 * *triangles, size, limit, path.string());
   } else if (size > limit / text_expansion) {
-    throw LimitExceeded(path.string() + ": a mesh file of " + std::to_string(size) +
-                        " bytes may need " + std::to_string(text_expansion) +
-                        " times as many in memory; raise --max-memory or take a smaller mesh");
+    throw LimitExceeded({.file = path.string(),
+                         .text = "a mesh file of " + std::to_string(size) + " bytes may need " +
+                                 std::to_string(text_expansion) + " times as many in memory",
+                         .advice = {Advice::raise_memory_limit, Advice::take_smaller_mesh}},
+                        {.unit = Excess::Unit::bytes,
+                         .needed = size * text_expansion,
+                         .limit = limit,
+                         .stage = "read"});
   }
   std::string bytes(size, '\0');
   if (!file.read(bytes.data(), static_cast<std::streamsize>(size))) {
-    throw InvalidInput(path.string() + ": reading stopped after " + std::to_string(file.gcount()) +
-                       " of " + std::to_string(size) + " bytes");
+    throw InvalidInput({.file = path.string(),
+                        .text = "reading stopped after " + std::to_string(file.gcount()) + " of " +
+                                std::to_string(size) + " bytes"},
+                       Fault::unreadable);
   }
   return bytes;
 }
@@ -103,7 +120,7 @@ ParsedMesh parse(std::string_view bytes, MeshKind kind, const std::string& what)
     case MeshKind::off:
       return parse_off(bytes, what);
   }
-  throw InvalidInput(what + ": no mesh");
+  throw InvalidInput({.file = what, .text = "no mesh"});
 }
 
 }  // namespace
@@ -117,19 +134,23 @@ Mesh parse_mesh(std::string_view bytes, MeshKind kind, const std::string& what,
                     max_bytes, what);
   Mesh mesh = weld_borders(weld_equal_points(std::move(parsed.mesh)), what);
   if (mesh.triangles.empty()) {
-    throw InvalidInput(what + ": the file holds no triangle; export the surface as triangles");
+    throw InvalidInput(
+        {.file = what, .text = "the file holds no triangle; export the surface as triangles"});
   }
   if (parsed.last_face_may_be_cut && closure_of(mesh).open_edges > 0) {
-    throw InvalidInput(what +
-                       ": the last line does not end and the mesh is open, so the file may " +
-                       "be cut; fetch or export it again, or end the line if it is whole");
+    throw InvalidInput({.file = what,
+                        .text =
+                            "the last line does not end and the mesh is open, so the file may "
+                            "be cut; fetch or export it again, or end the line if it is whole"});
   }
   return mesh;
 }
 
 Mesh read_mesh(const std::filesystem::path& path, std::uint64_t max_bytes) {
   const std::optional<MeshKind> kind = mesh_kind(path);
-  if (!kind) throw InvalidArgument(path.string() + ": meshes are .stl, .ply, .obj and .off files");
+  if (!kind)
+    throw InvalidArgument(
+        {.file = path.string(), .text = "meshes are " + mesh_extensions() + " files"});
   return parse_mesh(read_file(path, *kind, max_bytes), *kind, path.string(), max_bytes);
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/finding.h"
 #include "core/grid/grid.h"
 
 namespace isoloop {
@@ -15,8 +16,8 @@ namespace isoloop {
 struct Mesh {
   std::vector<Vec3> points{};  // finite; world coordinates, unit of the file
   std::vector<std::array<std::uint32_t, 3>> triangles{};  // corners, anticlockwise from outside
-  std::size_t loose_points = 0;  // of an OBJ file, which states no counts: in none of its faces
-  std::vector<std::string> warnings{};  // what was passed over or assumed; a sentence each
+  std::size_t loose_points = 0;     // of an OBJ file, which states no counts: in none of its faces
+  std::vector<Finding> warnings{};  // what was passed over or assumed; a sentence each
 };
 
 enum class MeshKind { stl, ply, obj, off };

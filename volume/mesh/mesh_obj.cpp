@@ -82,7 +82,8 @@ class Strangers {
     for (const auto& [word, count] : counts_) {
       text += (text.empty() ? "" : ", ") + word + " (" + std::to_string(count) + ")";
     }
-    mesh.warnings.push_back(what + ": statements that OBJ does not have were skipped: " + text);
+    mesh.warnings.push_back(
+        {.file = what, .text = "statements that OBJ does not have were skipped: " + text});
   }
 
  private:

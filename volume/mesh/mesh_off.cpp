@@ -78,9 +78,9 @@ ParsedMesh parse_off(std::string_view bytes, const std::string& what) {
   LineReader lines(bytes, what);
   const Counts counts = read_counts(lines);
   if (read_points(lines, counts, mesh)) {
-    mesh.warnings.push_back(what +
-                            ": points hold more than three numbers, although the header is " +
-                            "OFF: the first three are taken to be the coordinates");
+    mesh.warnings.push_back({.file = what,
+                             .text = "points hold more than three numbers, although the header is "
+                                     "OFF: the first three are taken to be the coordinates"});
   }
   std::vector<std::uint32_t> polygon;
   std::size_t too_small = 0;

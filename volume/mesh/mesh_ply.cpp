@@ -134,8 +134,9 @@ Header parse_header(LineReader& lines, const std::string& what) {
       throw lines.error("no line of a PLY header begins so");
     }
   }
-  throw InvalidInput(what + ": no whole PLY header, from 'ply' to 'end_header'; fetch or export " +
-                     "the file again");
+  throw InvalidInput({.file = what,
+                      .text = "no whole PLY header, from 'ply' to 'end_header'; fetch or export "
+                              "the file again"});
 }
 
 /// Where the body begins, after the line whose first word is `last`, which ends as the first line
@@ -194,8 +195,9 @@ class BinaryBody : public Body {
   }
   void skip(Scalar type) override { value(type); }
   InvalidInput error(const std::string& why) const override {
-    return InvalidInput(what_ + ": byte " + std::to_string(at_) + ": " + why +
-                        "; fetch or export the file again");
+    return InvalidInput({.file = what_,
+                         .place = "byte " + std::to_string(at_),
+                         .text = why + "; fetch or export the file again"});
   }
   std::uint64_t bytes_left() const override { return bytes_.size() - at_; }
   std::uint64_t least_bytes(Scalar type) const override { return bytes_of(type); }

@@ -33,8 +33,9 @@ float little_float(std::string_view bytes, std::size_t at) {
 
 Mesh parse_binary(std::string_view bytes, std::uint64_t triangles, const std::string& what) {
   if (triangles > std::numeric_limits<std::uint32_t>::max() / 3) {
-    throw LimitExceeded(what + ": " + std::to_string(triangles) +
-                        " triangles are more than isoloop can number");
+    throw LimitExceeded(
+        {.file = what,
+         .text = std::to_string(triangles) + " triangles are more than isoloop can number"});
   }
   Mesh mesh;
   mesh.points.reserve(3 * triangles);
@@ -46,8 +47,9 @@ Mesh parse_binary(std::string_view bytes, std::uint64_t triangles, const std::st
       for (std::size_t a = 0; a < 3; ++a) {
         point[a] = little_float(bytes, at + 4 * a);
         if (std::isfinite(point[a])) continue;
-        throw InvalidInput(what + ": byte " + std::to_string(at + 4 * a) +
-                           ": a coordinate is not finite; fetch or export the file again");
+        throw InvalidInput({.file = what,
+                            .place = "byte " + std::to_string(at + 4 * a),
+                            .text = "a coordinate is not finite; fetch or export the file again"});
       }
       mesh.points.push_back(point);
     }
@@ -91,7 +93,9 @@ void check_end(const LineReader& lines, std::string_view name, const std::string
   if (!repeated.empty() && name.size() > repeated.size() && name.starts_with(repeated)) {
     throw lines.error("the file ends within the solid's name");
   }
-  mesh.warnings.push_back(unended_warning(what) + ", without further solids");
+  Finding warning = unended_warning(what);
+  warning.text += ", without further solids";
+  mesh.warnings.push_back(std::move(warning));
 }
 
 Mesh parse_ascii(std::string_view bytes, const std::string& what) {
@@ -136,21 +140,24 @@ ParsedMesh parse_stl(std::string_view bytes, const std::string& what) {
   if (whole && stated == present) return {.mesh = parse_binary(bytes, present, what)};
   if (is_ascii(bytes)) return {.mesh = parse_ascii(bytes, what)};
   if (!has_header) {
-    throw InvalidInput(what + ": the file has " + std::to_string(bytes.size()) +
-                       " bytes, and an STL file begins with 'solid' or has 84 and more; fetch or " +
-                       "export it again");
+    throw InvalidInput(
+        {.file = what,
+         .text = "the file has " + std::to_string(bytes.size()) +
+                 " bytes, and an STL file begins with 'solid' or has 84 and more; fetch or " +
+                 "export it again"});
   }
   // Programs that write as they go leave 0 or the largest number where the count should be.
   constexpr std::uint64_t unknown = std::numeric_limits<std::uint32_t>::max();
   if (whole && (stated < present || (stated == unknown && present > 0))) {
     Mesh mesh = parse_binary(bytes, present, what);
-    mesh.warnings.push_back(what + ": " + stated_text(stated, present));
+    mesh.warnings.push_back({.file = what, .text = stated_text(stated, present)});
     return {.mesh = std::move(mesh)};
   }
-  throw InvalidInput(what + ": the file has " + std::to_string(bytes.size()) + " bytes, but the " +
-                     std::to_string(stated) + " triangles that it states take " +
-                     std::to_string(header_bytes + triangle_bytes * stated) +
-                     "; fetch or export it again");
+  throw InvalidInput({.file = what,
+                      .text = "the file has " + std::to_string(bytes.size()) + " bytes, but the " +
+                              std::to_string(stated) + " triangles that it states take " +
+                              std::to_string(header_bytes + triangle_bytes * stated) +
+                              "; fetch or export it again"});
 }
 
 }  // namespace isoloop

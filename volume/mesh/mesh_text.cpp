@@ -65,8 +65,9 @@ std::string_view LineReader::text_after(std::size_t word) const {
 }
 
 InvalidInput LineReader::error(const std::string& why) const {
-  return InvalidInput(what_ + ": line " + std::to_string(line_) + ": " + why +
-                      "; fetch or export the file again");
+  return InvalidInput({.file = what_,
+                       .place = "line " + std::to_string(line_),
+                       .text = why + "; fetch or export the file again"});
 }
 
 double LineReader::number(std::size_t word) const {
@@ -105,13 +106,14 @@ bool last_corner_could_go_on(const Mesh& mesh) {
          std::uint64_t{10} * mesh.triangles.back()[2] < mesh.points.size();
 }
 
-std::string unended_warning(const std::string& what) {
-  return what + ": the last line has no end; the file is taken to be whole";
+Finding unended_warning(const std::string& what) {
+  return {.file = what, .text = "the last line has no end; the file is taken to be whole"};
 }
 
-std::string small_faces_warning(std::size_t count, const std::string& what) {
-  return what + ": " + std::to_string(count) +
-         " faces of fewer than three corners hold no surface and were left out";
+Finding small_faces_warning(std::size_t count, const std::string& what) {
+  return {.file = what,
+          .text = std::to_string(count) +
+                  " faces of fewer than three corners hold no surface and were left out"};
 }
 
 void append_fan(Mesh& mesh, const std::vector<std::uint32_t>& polygon) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/errors.h"
+#include "core/base/finding.h"
 #include "volume/mesh/mesh.h"
 
 namespace isoloop {
@@ -65,10 +66,10 @@ struct ParsedMesh {
 bool last_corner_could_go_on(const Mesh& mesh);
 
 /// What is said where the last line has no end and the file is read.
-std::string unended_warning(const std::string& what);
+Finding unended_warning(const std::string& what);
 
 /// What is said of faces that are left out because they hold no surface.
-std::string small_faces_warning(std::size_t count, const std::string& what);
+Finding small_faces_warning(std::size_t count, const std::string& what);
 
 /// Appends the fan of a polygon.
 void append_fan(Mesh& mesh, const std::vector<std::uint32_t>& polygon);

@@ -4,13 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <numeric>
 #include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "volume/base/rounded_text.h"
 #include "volume/mesh/mesh_box.h"
 #include "volume/mesh/mesh_closure.h"
 #include "volume/mesh/mesh_edges.h"
@@ -29,10 +29,6 @@ std::vector<std::uint32_t> border_points(const Mesh& mesh) {
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
   return points;
-}
-
-double distance(const Vec3& a, const Vec3& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
 /// Points that are farther apart than the tolerance, so few to a cell, which is twice as wide.
@@ -96,12 +92,6 @@ std::vector<std::uint32_t> joints(const Mesh& mesh, double tolerance) {
   return joint;
 }
 
-std::string text(double number) {
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.3g", number);
-  return digits.data();
-}
-
 }  // namespace
 
 Mesh weld_equal_points(Mesh mesh) {
@@ -145,12 +135,14 @@ Mesh weld_borders(Mesh mesh, const std::string& what) {
     mesh.triangles = std::move(before);
     return mesh;
   }
-  mesh.warnings.push_back(what + ": " + std::to_string(joined) +
-                          " corners at open edges lie within " + text(tolerance) +
-                          " of another, a millionth of the mesh's diagonal, and were taken to be "
-                          "one with it; that closes " +
-                          std::to_string(open_edges - left) + " of " + std::to_string(open_edges) +
-                          " open edges");
+  mesh.warnings.push_back(
+      {.file = what,
+       .text = std::to_string(joined) + " corners at open edges lie within " +
+               rounded_text(tolerance, 3) +
+               " of another, a millionth of the mesh's diagonal, and were taken to be "
+               "one with it; that closes " +
+               std::to_string(open_edges - left) + " of " + std::to_string(open_edges) +
+               " open edges"});
   return mesh;
 }
 

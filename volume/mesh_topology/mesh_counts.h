@@ -3,27 +3,14 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 
-#include "core/surface/betti.h"
+#include "isoloop/surface.h"
+#include "isoloop/volume.h"
 
 namespace isoloop {
 
 struct Mesh;
-
-/// What a mesh says of its solid before any voxel is.
-struct MeshCounts {
-  std::size_t triangles = 0;
-  std::size_t shells = 0;        // closed surfaces that it consists of; 0 unless `betti` is set
-  std::size_t swallowed = 0;     // shells with solid on both their sides: they bound nothing
-  std::optional<Betti> betti{};  // of the solid, exactly
-  std::string unknown{};         // why `betti` is unset, as in "it is open"; else empty
-  /// From a corner of one shell to a triangle of another, unit of the mesh; unset: farther than was
-  /// looked, or one shell. Where edges pass each other shells may be nearer still.
-  std::optional<double> gap{};
-  std::optional<Betti> voxels{};  // where --resolution auto has counted them: those of the volume
-};
 
 /// A mesh has counts of its own if each edge has two triangles and no two triangles cross or touch
 /// but at the corners and sides that they share: then each of its shells is a closed surface with

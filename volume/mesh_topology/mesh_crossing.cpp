@@ -8,14 +8,14 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "core/grid/vec3.h"
+
 namespace isoloop {
 namespace {
 
 // Shewchuk (1997): bounds of rounding, rounded up, as shares of the sum of the absolute products.
 constexpr double plane_error = 1e-15;
 constexpr double turn_error = 4e-16;
-
-Vec3 minus(const Vec3& a, const Vec3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
 int sign_beyond(double value, double error) {
   if (value > error) return 1;

@@ -11,13 +11,12 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "core/grid/vec3.h"
+
 namespace isoloop {
 namespace {
 
 constexpr std::uint32_t no_shell = 0xffffffff;
-
-double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vec3 minus(const Vec3& a, const Vec3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
 double squared_distance(const Vec3& p, const Box& box) {
   double sum = 0.0;
@@ -41,8 +40,7 @@ double squared_distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) 
 double squared_distance(const Vec3& p, const std::array<Vec3, 3>& t) {
   const Vec3 u = minus(t[1], t[0]);
   const Vec3 v = minus(t[2], t[0]);
-  const Vec3 normal{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                    u[0] * v[1] - u[1] * v[0]};
+  const Vec3 normal = cross(u, v);
   bool is_over = dot(normal, normal) > 0.0;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t c = 0; c < 3; ++c) {
@@ -50,9 +48,7 @@ double squared_distance(const Vec3& p, const std::array<Vec3, 3>& t) {
     const Vec3& to = t[(c + 1) % 3];
     const Vec3 side = minus(to, from);
     const Vec3 to_p = minus(p, from);
-    const Vec3 inward{normal[1] * side[2] - normal[2] * side[1],
-                      normal[2] * side[0] - normal[0] * side[2],
-                      normal[0] * side[1] - normal[1] * side[0]};
+    const Vec3 inward = cross(normal, side);
     is_over = is_over && dot(inward, to_p) >= 0.0;
     least = std::min(least, squared_distance_to_segment(p, from, to));
   }

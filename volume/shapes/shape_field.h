@@ -11,6 +11,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "core/grid/vec3.h"
 #include "volume/base/memory_limit.h"
 #include "volume/voxels/volume.h"
 
@@ -36,14 +37,12 @@ inline Index3 shape_dims(const Vec3& extents) {
   return dims;
 }
 
-inline Vec3 minus(const Vec3& a, const Vec3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-
-inline double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-inline double norm(const Vec3& a) { return std::sqrt(dot(a, a)); }
+/// The length of a vector of voxels: norm() allows for lengths that squares cannot hold, and takes
+/// longer.
+inline double root_of_squares(const Vec3& a) { return std::sqrt(dot(a, a)); }
 
 inline double ball_distance(const Vec3& p, const Vec3& centre, double radius) {
-  return norm(minus(p, centre)) - radius;
+  return root_of_squares(minus(p, centre)) - radius;
 }
 
 /// The ring's circle has its centre at `centre` and lies across coordinate axis `axis`.

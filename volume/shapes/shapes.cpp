@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include "core/base/errors.h"
+#include "core/grid/vec3.h"
 #include "volume/shapes/curve_distance.h"
 #include "volume/shapes/engine_block.h"
 #include "volume/shapes/shape_field.h"
@@ -21,8 +22,6 @@ Vec3 centre_of(const Index3& dims) {
   return {0.5 * static_cast<double>(dims[0] - 1), 0.5 * static_cast<double>(dims[1] - 1),
           0.5 * static_cast<double>(dims[2] - 1)};
 }
-
-Vec3 plus(const Vec3& a, const Vec3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 
 /// Samples `distance`, which takes points relative to the volume's centre.
 template <class Distance>
@@ -39,15 +38,16 @@ Shape centred_shape(const ShapeOptions& options, std::string_view name, const Ve
 
 Shape make_ball(double extent, const ShapeOptions& options) {
   return centred_shape(options, "ball", {extent, extent, extent}, KnownTopology{1, 0, 0},
-                       [=](const Vec3& p) { return norm(p) - 0.5 * extent; });
+                       [=](const Vec3& p) { return root_of_squares(p) - 0.5 * extent; });
 }
 
 /// A ball with a cavity of half its radius.
 Shape make_shell(double extent, const ShapeOptions& options) {
   const double radius = 0.5 * extent;
   return centred_shape(
-      options, "shell", {extent, extent, extent}, KnownTopology{1, 0, 1},
-      [=](const Vec3& p) { return std::max(norm(p) - radius, 0.5 * radius - norm(p)); });
+      options, "shell", {extent, extent, extent}, KnownTopology{1, 0, 1}, [=](const Vec3& p) {
+        return std::max(root_of_squares(p) - radius, 0.5 * radius - root_of_squares(p));
+      });
 }
 
 Shape make_torus(double extent, const ShapeOptions& options) {
@@ -227,17 +227,21 @@ const Recipe& recipe_for(std::string_view name) {
   for (const Recipe& recipe : recipes) {
     names += (names.empty() ? "" : ", ") + std::string(recipe.name);
   }
-  throw InvalidArgument("no shape is called '" + std::string(name) + "'; the shapes are " + names);
+  throw InvalidArgument(
+      {.text = "no shape is called '" + std::string(name) + "'; the shapes are " + names},
+      Option::shape);
 }
 
 std::int64_t minimum_size(const Recipe& recipe, const ShapeOptions& options) {
   if (options.holes < 0 || options.holes > most_holes) {
-    throw InvalidArgument("holes must be 0 to " + std::to_string(most_holes) + ", not " +
-                          std::to_string(options.holes));
+    throw InvalidArgument({.text = "holes must be 0 to " + std::to_string(most_holes) + ", not " +
+                                   std::to_string(options.holes)},
+                          Option::shape);
   }
   if (options.cells < 1 || options.cells > most_cells) {
-    throw InvalidArgument("cells must be 1 to " + std::to_string(most_cells) + ", not " +
-                          std::to_string(options.cells));
+    throw InvalidArgument({.text = "cells must be 1 to " + std::to_string(most_cells) + ", not " +
+                                   std::to_string(options.cells)},
+                          Option::shape);
   }
   const double extent = recipe.least_extent(options);
   return std::max<std::int64_t>(16, shape_dims({extent, extent, extent})[0]);
@@ -260,9 +264,11 @@ Shape make_shape(std::string_view name, const ShapeOptions& options) {
   const Recipe& recipe = recipe_for(name);
   const std::int64_t least = minimum_size(recipe, options);
   if (options.size < least) {
-    throw InvalidArgument(std::string(name) + ": size " + std::to_string(options.size) +
-                          " is too small to resolve it; take " + std::to_string(least) +
-                          " or more");
+    throw InvalidArgument(
+        {.file = std::string(name),
+         .text = "size " + std::to_string(options.size) + " is too small to resolve it; take " +
+                 std::to_string(least) + " or more"},
+        Option::shape);
   }
   check_voxel_memory({options.size, 1, 1}, sizeof(float), options.max_bytes, std::string(name));
   return recipe.make(shape_extent(options.size), options);

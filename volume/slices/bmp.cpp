@@ -7,16 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "core/base/errors.h"
 #include "volume/base/byte_order.h"
 #include "volume/base/byte_stream.h"
+#include "volume/base/refuse.h"
 
 namespace isoloop {
 namespace {
-
-[[noreturn]] void refuse(const std::string& what, const std::string& complaint) {
-  throw InvalidInput(what + ": " + complaint);
-}
 
 struct BmpHeader {
   SliceImage image{};
@@ -49,10 +45,12 @@ void set_image(const Fields& fields, bool is_core, BmpHeader& header, const std:
   header.bits = fields.at<std::uint16_t>(is_core ? 24 : 28);
   const std::uint32_t packing = is_core ? 0 : fields.at<std::uint32_t>(30);
   if (packing != 0 || (header.bits != 8 && header.bits != 24)) {
-    refuse(what, "holds pixels of " + std::to_string(header.bits) + " bits, compression " +
-                     std::to_string(packing) +
-                     "; isoloop reads 8 and 24 bits without compression: save it as such or as "
-                     "PNG or TIFF");
+    refuse(what,
+           "holds pixels of " + std::to_string(header.bits) + " bits, compression " +
+               std::to_string(packing) +
+               "; isoloop reads 8 and 24 bits without compression: save it as such or as "
+               "PNG or TIFF",
+           Fault::unsupported);
   }
   header.top_down = height < 0;
   header.image = {width, height < 0 ? -height : height, StoredType::uint8};
@@ -65,7 +63,7 @@ std::vector<std::byte> greys_of(std::span<const std::byte> palette, std::size_t 
   std::vector<std::byte> greys;
   for (std::size_t i = 0; i + entry <= palette.size(); i += entry) {
     if (palette[i] != palette[i + 1] || palette[i] != palette[i + 2]) {
-      refuse(what, "holds a palette of colours, not grey; save it as grey");
+      refuse(what, "holds a palette of colours, not grey; save it as grey", Fault::unsupported);
     }
     greys.push_back(palette[i]);
   }
@@ -81,7 +79,8 @@ BmpHeader read_header(ByteStream& stream, const std::string& what) {
   const Fields fields(start);
   const auto own = fields.at<std::uint32_t>(14);
   if (own != 12 && (own < 40 || own > 124)) {
-    refuse(what, "has a header of " + std::to_string(own) + " bytes, which isoloop does not read");
+    refuse(what, "has a header of " + std::to_string(own) + " bytes, which isoloop does not read",
+           Fault::unsupported);
   }
   stream.read(start.subspan(file_header_bytes + 4, own - 4), "its header");
   BmpHeader header;
@@ -90,7 +89,7 @@ BmpHeader read_header(ByteStream& stream, const std::string& what) {
   const std::uint64_t palette_at = file_header_bytes + own;
   if (header.bits == 8) {
     const std::uint64_t stated = own == 12 ? 0 : fields.at<std::uint32_t>(46);
-    if (stated > 256) refuse(what, "states a palette of more than 256 colours");
+    if (stated > 256) refuse(what, "states a palette of more than 256 colours", Fault::unsupported);
     const std::uint64_t entry = own == 12 ? 3 : 4;
     std::vector<std::byte> palette((stated == 0 ? 256 : stated) * entry);
     stream.read(palette, "its palette");
@@ -119,7 +118,7 @@ void take_row(std::span<const std::byte> row, const BmpHeader& header, const std
     } else {
       const std::span<const std::byte> pixel = row.subspan(3 * x, 3);
       if (pixel[0] != pixel[1] || pixel[0] != pixel[2]) {
-        refuse(what, "holds colour, not one value per pixel; save it as grey");
+        refuse(what, "holds colour, not one value per pixel; save it as grey", Fault::unsupported);
       }
       to[x] = pixel[0];
     }

@@ -6,17 +6,13 @@
 #include <set>
 #include <string_view>
 
-#include "core/base/errors.h"
 #include "volume/base/header_text.h"
+#include "volume/base/refuse.h"
 #include "volume/base/xml_tags.h"
 #include "volume/voxels/length_unit.h"
 
 namespace isoloop {
 namespace {
-
-[[noreturn]] void refuse(const std::string& what, const std::string& complaint) {
-  throw InvalidInput(what + ": " + complaint);
-}
 
 constexpr std::uint64_t no_page = std::numeric_limits<std::uint64_t>::max();
 
@@ -53,8 +49,10 @@ OmeImage image_of(const std::string& xml, const std::string& what) {
     const std::string name = local_name(tag->name);
     closed = name == "/OME" || (name == "OME" && tag->is_empty);
     if (name == "BinaryOnly") {
-      refuse(what, "is one of several files of an OME-TIFF (its description is in " +
-                       attribute(*tag, "MetadataFile") + "); save it as one file");
+      refuse(what,
+             "is one of several files of an OME-TIFF (its description is in " +
+                 attribute(*tag, "MetadataFile") + "); save it as one file",
+             Fault::unsupported);
     }
     if (name == "Pixels") {
       image.pixels = *tag;
@@ -71,8 +69,10 @@ OmeImage image_of(const std::string& xml, const std::string& what) {
   }
   if (images == 0) refuse(what, "its OME-XML describes no pixels; save it as a plain TIFF");
   if (images > 1) {
-    refuse(what, "holds " + std::to_string(images) +
-                     " images (positions or resolutions); save one of them as a file of its own");
+    refuse(what,
+           "holds " + std::to_string(images) +
+               " images (positions or resolutions); save one of them as a file of its own",
+           Fault::unsupported);
   }
   return image;
 }
@@ -159,8 +159,9 @@ void place_planes(const OmeImage& image, std::uint64_t pages, TiffPlanes& planes
     refuse(what, "its OME-XML puts two planes on one page; save it as a plain TIFF");
   }
   if (used.size() < pages) {
-    planes.warnings.emplace_back(std::to_string(pages - used.size()) +
-                                 " of its pages are no planes of its image: they are not read");
+    planes.warnings.push_back(
+        {.text = std::to_string(pages - used.size()) +
+                 " of its pages are no planes of its image: they are not read"});
   }
 }
 
@@ -169,7 +170,7 @@ void set_spacing(const XmlTag& pixels, TiffPlanes& planes) {
   Vec3 spacing{};
   std::optional<LengthUnit> unit;
   const auto give_up = [&](const std::string& why) {
-    planes.warnings.emplace_back(why + ": 1 is taken unless --spacing says");
+    planes.warnings.push_back({.text = why + ": 1 is taken", .advice = {Advice::override_spacing}});
   };
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::string name = std::string("PhysicalSize") + "XYZ"[axis];
@@ -192,8 +193,9 @@ void set_spacing(const XmlTag& pixels, TiffPlanes& planes) {
     const std::size_t other = stated[in_its_place[axis]] > 0.0 ? in_its_place[axis] : 2;
     spacing[axis] = stated[other] > 0.0 ? stated[other] : stated[1];
     if (axis == 2 && attribute(pixels, "SizeZ") == "1") continue;
-    planes.warnings.emplace_back(std::string("it states no spacing along ") + names[axis] +
-                                 ": that of another axis is taken; --spacing X Y Z says otherwise");
+    planes.warnings.push_back({.text = std::string("it states no spacing along ") + names[axis] +
+                                       ": that of another axis is taken",
+                               .advice = {Advice::override_spacing}});
   }
   if (!std::all_of(spacing.begin(), spacing.end(), is_spacing)) return give_up("no lengths");
   planes.spacing = spacing;
@@ -214,11 +216,14 @@ TiffPlanes ome_planes(const std::string& description, std::uint64_t pages, const
   if (ome.interleaved || lower_case(attribute(ome.pixels, "Interleaved")) == "true") {
     refuse(what,
            "holds channels that are interleaved (several samples per pixel); save it with "
-           "one channel to a page");
+           "one channel to a page",
+           Fault::unsupported);
   }
   if (ome.files.size() > 1) {
-    refuse(what, "is one of " + std::to_string(ome.files.size()) +
-                     " files of an OME-TIFF; save it as one file");
+    refuse(what,
+           "is one of " + std::to_string(ome.files.size()) +
+               " files of an OME-TIFF; save it as one file",
+           Fault::unsupported);
   }
   TiffPlanes planes;
   planes.axes = axes_of(ome.pixels, pages, what);
@@ -226,7 +231,7 @@ TiffPlanes ome_planes(const std::string& description, std::uint64_t pages, const
   constexpr std::uint64_t any = std::numeric_limits<std::int64_t>::max();
   if (number_in(ome.pixels, "SizeX", 0, any, what) != static_cast<std::uint64_t>(image.width) ||
       number_in(ome.pixels, "SizeY", 0, any, what) != static_cast<std::uint64_t>(image.height)) {
-    planes.warnings.emplace_back("its OME-XML states another size than its pages have");
+    planes.warnings.push_back({.text = "its OME-XML states another size than its pages have"});
   }
   set_spacing(ome.pixels, planes);
   return planes;

@@ -37,7 +37,7 @@ class Decoder {
     info_ = png_ == nullptr ? nullptr : png_create_info_struct(png_);
     if (info_ == nullptr) {
       png_destroy_read_struct(&png_, nullptr, nullptr);
-      throw LimitExceeded(what_ + ": no memory to read it");
+      throw LimitExceeded({.file = what_, .text = "no memory to read it"});
     }
     png_set_read_fn(png_, this, read_bytes);
     // Texts and profiles unpack to far more than their bytes.
@@ -74,8 +74,10 @@ class Decoder {
   }
 
   [[noreturn]] void fail() const {
-    throw InvalidInput(what_ + ": is no PNG file, or is cut short or damaged (libpng: " +
-                       message_.data() + "); fetch the file again");
+    throw InvalidInput(
+        {.file = what_,
+         .text = std::string("is no PNG file, or is cut short or damaged (libpng: ") +
+                 message_.data() + "); fetch the file again"});
   }
 
   bool read_header() {
@@ -131,11 +133,15 @@ void take_grey(std::span<const std::byte> decoded, const PngLayout& layout, cons
     const std::byte* const from = decoded.data() + i * pixel;
     for (std::size_t c = 1; c < colours; ++c) {
       if (std::memcmp(from, from + c * size, size) != 0) {
-        throw InvalidInput(what + ": holds colour, not one value per pixel; save it as grey");
+        throw InvalidInput(
+            {.file = what, .text = "holds colour, not one value per pixel; save it as grey"},
+            Fault::unsupported);
       }
     }
     if (layout.has_alpha && std::memcmp(from + colours * size, opaque.data(), size) != 0) {
-      throw InvalidInput(what + ": has transparent pixels; save it as grey without transparency");
+      throw InvalidInput(
+          {.file = what, .text = "has transparent pixels; save it as grey without transparency"},
+          Fault::unsupported);
     }
     std::copy_n(from, size, to.data() + i * size);
   }

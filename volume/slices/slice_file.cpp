@@ -11,9 +11,9 @@ namespace isoloop {
 
 std::optional<FileKind> slice_kind(const std::filesystem::path& path) {
   if (path.filename().string().starts_with('.')) return std::nullopt;
-  const std::optional<FileKind> kind = file_kind(path);
-  if (kind == FileKind::tiff || kind == FileKind::png || kind == FileKind::bmp) return kind;
-  return std::nullopt;
+  const FileFormat* const format = file_format(path);
+  if (format == nullptr || !format->is_slice) return std::nullopt;
+  return format->kind;
 }
 
 SliceImage slice_image(const std::filesystem::path& path) {
@@ -27,7 +27,8 @@ void read_slice(const std::filesystem::path& path, const VoxelLimits& limits,
                 std::span<std::byte> to) {
   const SliceImage image = slice_image(path);
   if (slice_bytes(image, path.string()) != to.size()) {
-    throw InvalidInput(path.string() + ": changed while it was read; read it again");
+    throw InvalidInput({.file = path.string(), .text = "changed while it was read; read it again"},
+                       Fault::unreadable);
   }
   const std::optional<FileKind> kind = slice_kind(path);
   if (kind == FileKind::tiff) return read_tiff_slice(path, limits, to);
@@ -45,7 +46,8 @@ Volume read_slice_volume(const std::filesystem::path& path, const FormatOptions&
   check_voxel_memory(volume.dims, bytes_per_voxel(image.type), limits, what);
   place(volume, {}, options.spacing, what);
   if (!options.spacing) {
-    volume.notes.emplace_back("the file does not state a spacing: 1 unless --spacing says");
+    volume.notes.push_back({.text = "the file does not state a spacing: 1 is taken",
+                            .advice = {Advice::override_spacing}});
   }
   volume.values =
       zero_voxels(image.type, static_cast<std::size_t>(checked_voxel_count(volume.dims, what)));

@@ -6,6 +6,7 @@
 
 #include "core/base/errors.h"
 #include "volume/base/header_text.h"
+#include "volume/base/refuse.h"
 #include "volume/slices/slice_file.h"
 #include "volume/slices/slice_log.h"
 #include "volume/slices/slice_names.h"
@@ -17,10 +18,6 @@ namespace {
 
 using Paths = std::vector<std::filesystem::path>;
 
-[[noreturn]] void refuse(const std::string& what, const std::string& complaint) {
-  throw InvalidInput(what + ": " + complaint);
-}
-
 Paths entries_of(const std::filesystem::path& folder) {
   Paths entries;
   std::error_code error;
@@ -28,7 +25,7 @@ Paths entries_of(const std::filesystem::path& folder) {
   for (; !error && at != std::filesystem::directory_iterator(); at.increment(error)) {
     entries.push_back(at->path());
   }
-  if (error) refuse(folder.string(), "cannot be read: " + error.message());
+  if (error) refuse(folder.string(), "cannot be read: " + error.message(), Fault::unreadable);
   std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
     return name_less(a.filename().string(), b.filename().string());
   });
@@ -83,8 +80,10 @@ Paths of_one_format(const Paths& candidates, const std::string& what) {
   const bool alike = std::all_of(candidates.begin(), candidates.end(),
                                  [&](const auto& path) { return slice_kind(path) == first; });
   if (alike) return candidates;
-  refuse(what, "holds slices of several formats (" + kinds_text(candidates) +
-                   "); put those of one volume in a folder of their own");
+  refuse(what,
+         "holds slices of several formats (" + kinds_text(candidates) +
+             "); put those of one volume in a folder of their own",
+         Fault::unsupported);
 }
 
 Folder sorted_folder(const std::filesystem::path& path) {
@@ -122,28 +121,31 @@ SliceImage common_image(const Paths& slices) {
   return first;
 }
 
-void refuse_choice(const std::optional<std::int64_t>& chosen, const std::string& flag,
+void refuse_choice(const std::optional<std::int64_t>& chosen, Option option,
                    const std::string& what) {
   if (!chosen || *chosen == 0) return;
-  throw InvalidArgument(what + ": is a folder of single slices, so " + flag +
-                        " can be 0 alone; it counts volumes within one file");
+  throw InvalidArgument(
+      {.file = what,
+       .about = option,
+       .text = "can be 0 alone for a folder of single slices: it counts volumes within one file"});
 }
 
 /// The log that is used leaves the folder's list.
 void place_by_log(Volume& volume, Folder& folder, const FormatOptions& options,
                   const std::string& what) {
-  std::string warning;
+  std::optional<Finding> warning;
   const auto log = options.spacing ? std::nullopt : read_slice_logs(folder.logs, warning);
-  if (!warning.empty()) volume.warnings.push_back(warning);
+  if (warning) volume.warnings.push_back(*warning);
   Placement placement;
   if (log) placement.columns = columns_of(log->spacing, what);
   place(volume, placement, options.spacing, what);
   if (log) {
     volume.unit = "µm";
     std::erase(folder.logs, log->file);
-    volume.notes.push_back("spacing as " + log->file.filename().string() + " states");
+    volume.notes.push_back({.text = "spacing as " + log->file.filename().string() + " states"});
   } else if (!options.spacing) {
-    volume.notes.emplace_back("the slices do not state a spacing: 1 unless --spacing says");
+    volume.notes.push_back({.text = "the slices do not state a spacing: 1 is taken",
+                            .advice = {Advice::override_spacing}});
   }
 }
 
@@ -151,13 +153,14 @@ void note_names(Volume& volume, const Folder& folder, const std::string& what) {
   std::vector<std::string> names;
   names.reserve(folder.slices.size());
   for (const auto& slice : folder.slices) names.push_back(slice.filename().string());
-  if (const auto warning = odd_names(names, what)) volume.warnings.push_back(*warning);
-  volume.notes.push_back(std::to_string(names.size()) + " slices, from " + names.front() + " to " +
-                         names.back());
+  if (const auto warning = odd_names(names, what)) volume.warnings.push_back({.text = *warning});
+  volume.notes.push_back({.text = std::to_string(names.size()) + " slices, from " + names.front() +
+                                  " to " + names.back()});
   Paths others = folder.others;
   others.insert(others.end(), folder.logs.begin(), folder.logs.end());
   if (others.empty()) return;
-  volume.warnings.push_back(what + ": what is no slice is passed over: " + kinds_text(others));
+  volume.warnings.push_back(
+      {.file = what, .text = "what is no slice is passed over: " + kinds_text(others)});
 }
 
 }  // namespace
@@ -169,8 +172,8 @@ Volume read_slice_folder(const std::filesystem::path& path, const FormatOptions&
   if (folder.slices.size() == 1 && slice_kind(folder.slices.front()) == FileKind::tiff) {
     return read_tiff(folder.slices.front(), options, limits);
   }
-  refuse_choice(options.frame, "--frame", what);
-  refuse_choice(options.channel, "--channel", what);
+  refuse_choice(options.frame, Option::frame, what);
+  refuse_choice(options.channel, Option::channel, what);
   Volume volume;
   const SliceImage image = common_image(folder.slices);
   const std::uint64_t bytes = slice_bytes(image, what);

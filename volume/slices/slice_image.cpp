@@ -13,7 +13,8 @@ std::string slice_text(const SliceImage& image) {
 }
 
 std::uint64_t slice_bytes(const SliceImage& image, const std::string& what) {
-  if (image.width < 1 || image.height < 1) throw InvalidInput(what + ": is an image of no size");
+  if (image.width < 1 || image.height < 1)
+    throw InvalidInput({.file = what, .text = "is an image of no size"});
   return checked_voxel_bytes({image.width, image.height, 1}, bytes_per_voxel(image.type), what);
 }
 

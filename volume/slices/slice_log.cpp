@@ -50,7 +50,7 @@ std::string beginning_of(const std::filesystem::path& path) {
 }  // namespace
 
 std::optional<SliceLog> read_slice_logs(const std::vector<std::filesystem::path>& logs,
-                                        std::string& warning) {
+                                        std::optional<Finding>& warning) {
   std::vector<SliceLog> reconstructed;
   std::vector<SliceLog> recorded;
   for (const auto& file : logs) {
@@ -67,8 +67,10 @@ std::optional<SliceLog> read_slice_logs(const std::vector<std::filesystem::path>
   if (best.empty()) return std::nullopt;
   for (const SliceLog& log : best) {
     if (log.spacing == best.front().spacing) continue;
-    warning = best.front().file.filename().string() + " and " + log.file.filename().string() +
-              " state different pixel sizes, so none is taken; say with --spacing";
+    warning = Finding{.text = best.front().file.filename().string() + " and " +
+                              log.file.filename().string() +
+                              " state different pixel sizes, so none is taken",
+                      .advice = {Advice::state_spacing}};
     return std::nullopt;
   }
   return best.front();

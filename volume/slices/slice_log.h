@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/finding.h"
 #include "core/grid/grid.h"
 
 namespace isoloop {
@@ -19,6 +20,6 @@ struct SliceLog {
 /// to Section Step" along z, else "Image Pixel Size (um)" of any section. Nothing where none states
 /// one. Where they disagree, nothing, and `warning` says so. Logs are read up to 1 MiB each.
 std::optional<SliceLog> read_slice_logs(const std::vector<std::filesystem::path>& logs,
-                                        std::string& warning);
+                                        std::optional<Finding>& warning);
 
 }  // namespace isoloop

@@ -66,9 +66,11 @@ void refuse_grid(const std::vector<std::vector<std::int64_t>>& varying, std::siz
     if (product > count) return;
   }
   if (product != count) return;
-  throw InvalidInput(what + ": its names count along two axes (" + list +
-                     " slices), perhaps of channels or frames; put the slices of one volume in a "
-                     "folder of their own");
+  throw InvalidInput(
+      {.file = what,
+       .text = "its names count along two axes (" + list +
+               " slices), perhaps of channels or frames; put the slices of one volume in a "
+               "folder of their own"});
 }
 
 /// The distance that is the most common between numbers in ascending order.
@@ -88,8 +90,9 @@ std::optional<std::string> gaps_in(const std::vector<std::int64_t>& numbers,
   for (std::size_t i = 0; i + 1 < numbers.size(); ++i) {
     const std::int64_t one = numbers[i + 1] - numbers[i];
     if (one == 0) {
-      throw InvalidInput(what + ": two slices have the number " + std::to_string(numbers[i]) +
-                         "; move one of them away");
+      throw InvalidInput({.file = what,
+                          .text = "two slices have the number " + std::to_string(numbers[i]) +
+                                  "; move one of them away"});
     }
     if (one == step) continue;
     if (gaps++ == 0) {
@@ -145,8 +148,9 @@ std::optional<std::string> odd_names(const std::vector<std::string>& names,
   const auto varying = varying_numbers(parts);
   if (varying.size() > 1) refuse_grid(varying, names.size(), what);
   if (varying.empty()) {  // 1 and 01: the same but for zeros
-    throw InvalidInput(what + ": " + names[0] + " and " + names[1] +
-                       " have the same number; move one of them away");
+    throw InvalidInput(
+        {.file = what,
+         .text = names[0] + " and " + names[1] + " have the same number; move one of them away"});
   }
   const std::vector<std::int64_t>& last = varying.back();
   if (!std::is_sorted(last.begin(), last.end())) return std::nullopt;

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/errors.h"
+#include "volume/base/refuse.h"
 #include "volume/slices/tiff_file.h"
 #include "volume/slices/tiff_pages.h"
 #include "volume/slices/tiff_planes.h"
@@ -15,10 +15,6 @@
 
 namespace isoloop {
 namespace {
-
-[[noreturn]] void refuse(const std::string& what, const std::string& complaint) {
-  throw InvalidInput(what + ": " + complaint);
-}
 
 TiffPage first_page(const TiffFile& file, const TiffPages& pages) {
   file.open_page(pages.at.front());
@@ -53,7 +49,7 @@ void read_planes_behind_first(const std::filesystem::path& path, const TiffPages
     file.seekg(static_cast<std::streamoff>(pages.pixels_at + chosen[z] * bytes.size()));
     if (!file.read(reinterpret_cast<char*>(bytes.data()),
                    static_cast<std::streamsize>(bytes.size()))) {
-      refuse(path.string(), "cannot be read; check that you may read it");
+      refuse(path.string(), "cannot be read; check that you may read it", Fault::unreadable);
     }
   }
   if (pages.endian != native_endian) swap_bytes(std::span(voxels));
@@ -82,7 +78,8 @@ void check_depth(const TiffPages& pages, const TiffPage& first, std::uint64_t sl
   if (planes.axes.size() > 1 || slices != pages.at.size() * depth) {
     refuse(what,
            "states channels or frames of slices within pages (ImageDepth), which isoloop "
-           "does not read; save it as a TIFF of pages");
+           "does not read; save it as a TIFF of pages",
+           Fault::unsupported);
   }
   const std::uint64_t bytes = slice_bytes(first.image, what);
   planes.behind_first = pages.at.size() == 1 && first.plain && pages.pixel_bytes / depth == bytes &&
@@ -120,7 +117,8 @@ Volume read_tiff(const std::filesystem::path& path, const FormatOptions& options
   place(volume, placement, options.spacing, what);
   if (!options.spacing && planes.spacing) volume.unit = planes.unit;
   if (!options.spacing && !planes.spacing) {
-    volume.notes.emplace_back("the file does not state a spacing: 1 unless --spacing says");
+    volume.notes.push_back({.text = "the file does not state a spacing: 1 is taken",
+                            .advice = {Advice::override_spacing}});
   }
   volume.values = zero_voxels(first.image.type,
                               plane_bytes / bytes_per_voxel(first.image.type) * chosen.size());
@@ -145,7 +143,8 @@ SliceImage tiff_slice_image(const std::filesystem::path& path) {
   const std::uint64_t slices = pages.at.size() * static_cast<std::uint64_t>(page.depth);
   if (slices > 1) {
     refuse(path.string(),
-           "has " + std::to_string(slices) + " pages; in a folder of slices each file is one page");
+           "has " + std::to_string(slices) + " pages; in a folder of slices each file is one page",
+           Fault::unsupported);
   }
   return page.image;
 }

@@ -11,15 +11,11 @@
 
 #include <tiffio.h>
 
-#include "core/base/errors.h"
+#include "volume/base/refuse.h"
 #include "volume/slices/tiff_deep_tile.h"
 
 namespace isoloop {
 namespace {
-
-[[noreturn]] void refuse(const std::string& what, const std::string& complaint) {
-  throw InvalidInput(what + ": " + complaint);
-}
 
 int keep_message(TIFF* /*file*/, void* to, const char* /*module*/, const char* format,
                  va_list arguments) {
@@ -44,15 +40,19 @@ void check_colours(const TiffFile& file) {
   const auto samples = field<std::uint16_t>(file, TIFFTAG_SAMPLESPERPIXEL, 1);
   const auto meaning = field<std::uint16_t>(file, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
   if (samples != 1 || meaning == PHOTOMETRIC_RGB) {
-    refuse(file.what(), "holds " + std::to_string(samples) +
-                            " samples per pixel (colour or channels); take one channel");
+    refuse(file.what(),
+           "holds " + std::to_string(samples) +
+               " samples per pixel (colour or channels); take one channel",
+           Fault::unsupported);
   }
   const auto compression = field<std::uint16_t>(file, TIFFTAG_COMPRESSION, COMPRESSION_NONE);
   const bool lossy = compression == COMPRESSION_JPEG || compression == COMPRESSION_OJPEG ||
                      compression == COMPRESSION_WEBP;
   if (lossy || TIFFIsCODECConfigured(compression) == 0) {
-    refuse(file.what(), "is compressed in a way (" + std::to_string(compression) +
-                            ") that isoloop does not read; save it with LZW or without");
+    refuse(file.what(),
+           "is compressed in a way (" + std::to_string(compression) +
+               ") that isoloop does not read; save it with LZW or without",
+           Fault::unsupported);
   }
 }
 
@@ -69,8 +69,10 @@ StoredType type_of(const TiffFile& file) {
     type = integer_type(bytes, format == SAMPLEFORMAT_INT);
   }
   if (!type) {
-    refuse(file.what(), "holds pixels of " + std::to_string(bits) + " bits, sample format " +
-                            std::to_string(format) + ", which isoloop does not read");
+    refuse(file.what(),
+           "holds pixels of " + std::to_string(bits) + " bits, sample format " +
+               std::to_string(format) + ", which isoloop does not read",
+           Fault::unsupported);
   }
   return *type;
 }
@@ -194,9 +196,11 @@ void read_page(const TiffFile& file, const TiffPage& page, const VoxelLimits& li
   } else if (page.depth == 1) {
     read_strips(file, to);
   } else {
-    refuse(file.what(), "has " + std::to_string(page.depth) +
-                            " slices in one page (ImageDepth) in strips that isoloop does not "
-                            "read; save it as a TIFF of pages, or without compression");
+    refuse(file.what(),
+           "has " + std::to_string(page.depth) +
+               " slices in one page (ImageDepth) in strips that isoloop does not "
+               "read; save it as a TIFF of pages, or without compression",
+           Fault::unsupported);
   }
 }
 

@@ -52,7 +52,7 @@ class Walker {
 
  private:
   [[noreturn]] void refuse(const std::string& complaint) const {
-    throw InvalidInput(what_ + ": " + complaint);
+    throw InvalidInput({.file = what_, .text = complaint});
   }
 
   void check(std::uint64_t at, std::uint64_t bytes) const {

@@ -8,15 +8,12 @@
 
 #include "core/base/errors.h"
 #include "volume/base/header_text.h"
+#include "volume/base/refuse.h"
 #include "volume/slices/ome_planes.h"
 #include "volume/voxels/length_unit.h"
 
 namespace isoloop {
 namespace {
-
-[[noreturn]] void refuse(const std::string& what, const std::string& complaint) {
-  throw InvalidInput(what + ": " + complaint);
-}
 
 std::string count_text(std::uint64_t count, const char* one, const char* more) {
   return std::to_string(count) + " " + (count == 1 ? one : more);
@@ -54,8 +51,9 @@ void set_imagej_spacing(const std::string& description, const TiffPage& page, Ti
   const Vec3 spacing{x > 0.0 ? 1.0 / x : 1.0, y > 0.0 ? 1.0 / y : 1.0,
                      std::abs(number_of(between.value_or("1")).value_or(0.0))};
   if (!std::all_of(spacing.begin(), spacing.end(), is_spacing)) {
-    planes.warnings.emplace_back(
-        "its description states a spacing that is no length: 1 is taken unless --spacing says");
+    planes.warnings.push_back(
+        {.text = "its description states a spacing that is no length: 1 is taken",
+         .advice = {Advice::override_spacing}});
     return;
   }
   planes.spacing = spacing;
@@ -63,8 +61,9 @@ void set_imagej_spacing(const std::string& description, const TiffPage& page, Ti
   if (unit.empty() && page.resolution_unit == 2) planes.unit = "inch";
   if (unit.empty() && page.resolution_unit == 3) planes.unit = "cm";
   if (!between && spacing[0] != 1.0) {
-    planes.warnings.emplace_back("it states no distance between slices: 1 " + planes.unit +
-                                 " is taken, as ImageJ does; --spacing X Y Z says otherwise");
+    planes.warnings.push_back({.text = "it states no distance between slices: 1 " + planes.unit +
+                                       " is taken, as ImageJ does",
+                               .advice = {Advice::override_spacing}});
   }
 }
 
@@ -99,8 +98,9 @@ TiffPlanes imagej_planes(const std::string& description, std::uint64_t pages, co
                      " not fill; save it as a plain TIFF");
   }
   planes.axes = {{TiffAxisName::slices, held}};
-  planes.warnings.emplace_back("its description states " + count_text(product, "slice", "slices") +
-                               ", but it holds " + std::to_string(held) + " pages: all are read");
+  planes.warnings.push_back({.text = "its description states " +
+                                     count_text(product, "slice", "slices") + ", but it holds " +
+                                     std::to_string(held) + " pages: all are read"});
   return planes;
 }
 
@@ -176,9 +176,11 @@ void check_names(const std::vector<TiffAxis>& axes, const std::string& what) {
     for (const TiffAxis& axis : axes) {
       sizes = std::to_string(axis.size) + (sizes.empty() ? "" : " x ") + sizes;
     }
-    refuse(what, "holds " + sizes +
-                     " planes, and its axes have no names to choose by; save one volume of them, "
-                     "or name the axes (Z, C and T)");
+    refuse(what,
+           "holds " + sizes +
+               " planes, and its axes have no names to choose by; save one volume of them, "
+               "or name the axes (Z, C and T)",
+           Fault::unsupported);
   }
 }
 
@@ -201,9 +203,10 @@ TiffPlanes shaped_planes(std::string_view json, std::uint64_t pages, const TiffP
   }
   if (!fits(shape.size())) {
     planes.axes = {{TiffAxisName::slices, pages}};
-    planes.warnings.emplace_back(
-        "its description states a shape that is not that of its pages: all pages are read as "
-        "slices");
+    planes.warnings.push_back(
+        {.text =
+             "its description states a shape that is not that of its pages: all pages are read as "
+             "slices"});
     return planes;
   }
   planes.axes = leading_axes(shape, shape.size() - 2, names);
@@ -247,10 +250,6 @@ std::string axes_text(const std::vector<TiffAxis>& axes) {
   return text;
 }
 
-std::string range_text(const std::string& flag, std::uint64_t size) {
-  return flag + " 0 ... " + std::to_string(size - 1);
-}
-
 std::uint64_t size_of(const std::vector<TiffAxis>& axes, TiffAxisName name) {
   for (const TiffAxis& axis : axes) {
     if (axis.name == name) return axis.size;
@@ -258,15 +257,17 @@ std::uint64_t size_of(const std::vector<TiffAxis>& axes, TiffAxisName name) {
   return 1;
 }
 
-/// What is chosen along an axis of `size` that a flag is for.
-std::uint64_t choice(const std::optional<std::int64_t>& chosen, std::uint64_t size,
-                     const std::string& flag, const std::string& what) {
+/// What is chosen by `option` along an axis of `size`.
+std::uint64_t choice(const std::optional<std::int64_t>& chosen, std::uint64_t size, Option option,
+                     const std::string& what) {
   if (!chosen) return 0;
   if (*chosen >= 0 && static_cast<std::uint64_t>(*chosen) < size) {
     return static_cast<std::uint64_t>(*chosen);
   }
-  throw InvalidArgument(what + ": has no " + flag.substr(2) + " " + std::to_string(*chosen) + "; " +
-                        flag + " counts from 0 to " + std::to_string(size - 1));
+  throw InvalidArgument({.file = what,
+                         .about = option,
+                         .text = "counts from 0 to " + std::to_string(size - 1) + ": there is no " +
+                                 std::to_string(*chosen)});
 }
 
 void check_that_all_are_chosen(const std::vector<TiffAxis>& axes, const FormatOptions& options,
@@ -274,24 +275,26 @@ void check_that_all_are_chosen(const std::vector<TiffAxis>& axes, const FormatOp
   const std::uint64_t unnamed = size_of(axes, TiffAxisName::unnamed);
   const std::uint64_t channels = size_of(axes, TiffAxisName::channels);
   const std::uint64_t frames = size_of(axes, TiffAxisName::frames);
-  std::string flags;
-  const auto want = [&](const std::string& flag) {
-    flags += (flags.empty() ? "" : " and ") + flag;
-  };
   if (unnamed > 1 && channels > 1 && frames > 1) {
     refuse(what,
-           "holds " + axes_text(axes) + ", more than isoloop can choose from; save one of them");
+           "holds " + axes_text(axes) + ", more than isoloop can choose from; save one of them",
+           Fault::unsupported);
   }
-  if (unnamed > 1) {
-    const std::string by_frame = frames > 1 ? "" : range_text("--frame", unnamed);
-    const std::string by_channel = channels > 1 ? "" : range_text("--channel", unnamed);
-    const bool both = !by_frame.empty() && !by_channel.empty();
-    want(by_frame + (both ? " or " : "") + by_channel);
+  // An axis without a name is chosen by the option that no other axis needs, or by either.
+  const bool either = unnamed > 1 && channels == 1 && frames == 1;
+  const bool by_frame = (frames > 1 && !options.frame) || (unnamed > 1 && channels > 1);
+  const bool by_channel = (channels > 1 && !options.channel) || (unnamed > 1 && frames > 1);
+  std::vector<Advice> advice;
+  if (by_channel && by_frame) {
+    advice = {Advice::choose_frame_and_channel};
+  } else if (either) {
+    advice = {Advice::choose_frame, Advice::choose_channel};
+  } else if (by_frame || by_channel) {
+    advice = {by_frame ? Advice::choose_frame : Advice::choose_channel};
   }
-  if (channels > 1 && !options.channel) want(range_text("--channel", channels));
-  if (frames > 1 && !options.frame) want(range_text("--frame", frames));
-  if (flags.empty()) return;
-  throw InvalidArgument(what + ": holds " + axes_text(axes) + ": choose with " + flags);
+  if (advice.empty()) return;
+  throw InvalidArgument({.file = what, .text = "holds " + axes_text(axes), .advice = advice},
+                        by_channel ? Option::channel : Option::frame);
 }
 
 /// An axis without a name becomes that of the flag that is given, and still free.
@@ -302,8 +305,11 @@ void name_by_flag(std::vector<TiffAxis>& axes, const FormatOptions& options,
     const bool by_frame = options.frame && size_of(axes, TiffAxisName::frames) == 1;
     const bool by_channel = options.channel && size_of(axes, TiffAxisName::channels) == 1;
     if (by_frame && by_channel) {
-      throw InvalidArgument(what + ": holds " + axes_text(axes) +
-                            ": choose with --frame or with --channel, not with both");
+      throw InvalidArgument(
+          {.file = what,
+           .text = "holds " + axes_text(axes) + ", of which one number chooses, not two",
+           .advice = {Advice::choose_frame, Advice::choose_channel}},
+          Option::frame);
     }
     if (by_frame) axis.name = TiffAxisName::frames;
     if (by_channel) axis.name = TiffAxisName::channels;
@@ -316,8 +322,8 @@ void read_frames_as_slices(TiffPlanes& planes, const FormatOptions& options) {
   for (TiffAxis& axis : planes.axes) {
     if (axis.name != TiffAxisName::frames || axis.size == 1) continue;
     axis.name = TiffAxisName::slices;
-    planes.notes.emplace_back("its " + std::to_string(axis.size) +
-                              " frames of one slice are read as slices");
+    planes.notes.push_back(
+        {.text = "its " + std::to_string(axis.size) + " frames of one slice are read as slices"});
   }
 }
 
@@ -340,9 +346,9 @@ std::vector<std::uint64_t> chosen_pages(TiffPlanes& planes, const FormatOptions&
   name_by_flag(planes.axes, options, what);
   check_that_all_are_chosen(planes.axes, options, what);
   const std::uint64_t frame =
-      choice(options.frame, size_of(planes.axes, TiffAxisName::frames), "--frame", what);
+      choice(options.frame, size_of(planes.axes, TiffAxisName::frames), Option::frame, what);
   const std::uint64_t channel =
-      choice(options.channel, size_of(planes.axes, TiffAxisName::channels), "--channel", what);
+      choice(options.channel, size_of(planes.axes, TiffAxisName::channels), Option::channel, what);
   std::uint64_t first = 0;
   std::uint64_t step = 1;  // between slices
   std::uint64_t slices = 1;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/finding.h"
 #include "core/grid/grid.h"
 #include "volume/slices/tiff_file.h"
 #include "volume/voxels/placement.h"
@@ -21,13 +22,13 @@ struct TiffAxis {
 
 /// The planes of x and y that a file holds.
 struct TiffPlanes {
-  std::vector<TiffAxis> axes{};         // that they vary along, the fastest first; none: one plane
-  std::vector<std::uint64_t> pages{};   // of each plane; empty: plane n is page n
-  bool behind_first = false;            // all follow the first page's pixels, which alone is a page
-  std::optional<Vec3> spacing{};        // length per voxel; unset: not stated
-  std::string unit{};                   // of the spacing; empty: not stated
-  std::vector<std::string> notes{};     // for the volume
-  std::vector<std::string> warnings{};  // for the volume
+  std::vector<TiffAxis> axes{};        // that they vary along, the fastest first; none: one plane
+  std::vector<std::uint64_t> pages{};  // of each plane; empty: plane n is page n
+  bool behind_first = false;           // all follow the first page's pixels, which alone is a page
+  std::optional<Vec3> spacing{};       // length per voxel; unset: not stated
+  std::string unit{};                  // of the spacing; empty: not stated
+  std::vector<Finding> notes{};        // for the volume
+  std::vector<Finding> warnings{};     // for the volume
 };
 
 /// What a file of so many pages says of them in its first description: OME-XML, ImageJ's text or

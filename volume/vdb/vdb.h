@@ -1,18 +1,15 @@
 // OpenVDB files: one scalar grid, densified over its active voxels.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <iosfwd>
 #include <string>
 
+#include "isoloop/read.h"
+#include "isoloop/volume.h"
 #include "volume/base/memory_limit.h"
-#include "volume/voxels/volume.h"
 
 namespace isoloop {
-
-/// What surrounds the box of the active voxels: one layer of background, or nothing.
-enum class VdbMargin { background, none };
 
 /// Reads the float or double grid called `grid`; if that is empty, the only one in the file. Grids
 /// that share a name are called NAME[0], NAME[1], ... in the order of the file.

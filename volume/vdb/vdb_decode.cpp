@@ -12,6 +12,8 @@
 #include <openvdb/openvdb.h>
 
 #include "core/base/errors.h"
+#include "core/grid/vec3.h"
+#include "volume/base/refuse.h"
 #include "volume/vdb/vdb_message.h"
 
 namespace isoloop {
@@ -21,20 +23,20 @@ constexpr double shear_tolerance = 1e-6;  // cosine between two index axes
 
 openvdb::GridPtrVec read_grids(std::istream& file, const std::string& what) {
   openvdb::initialize();
-  const std::string damaged = what + ": not a whole OpenVDB file; fetch or export it again";
+  const std::string damaged = "not a whole OpenVDB file; fetch or export it again";
   try {
     // OpenVDB does not check its reads: without these exceptions a truncated file is accepted.
     file.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);
     openvdb::io::Stream stream(file, /*delayLoad=*/false);
     return *stream.getGrids();
   } catch (const std::ios_base::failure&) {
-    throw InvalidInput(damaged + " (it ends too early)");
+    refuse(what, damaged + " (it ends too early)");
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::length_error&) {
     throw std::bad_alloc();
   } catch (const std::exception& error) {
-    throw InvalidInput(damaged + " (" + error.what() + ")");
+    refuse(what, damaged + " (" + error.what() + ")");
   }
 }
 
@@ -64,6 +66,12 @@ std::string list_grids(const openvdb::GridPtrVec& grids) {
   return list.empty() ? "nothing" : list;
 }
 
+[[noreturn]] void refuse_grid(Finding grid, const std::string& complaint,
+                              Fault fault = Fault::damaged) {
+  grid.text = complaint;
+  throw InvalidInput(grid, fault);
+}
+
 openvdb::GridBase::ConstPtr choose_grid(const openvdb::GridPtrVec& grids, const std::string& name,
                                         const std::string& file) {
   const std::vector<std::string> names = unique_names(grids);
@@ -74,43 +82,55 @@ openvdb::GridBase::ConstPtr choose_grid(const openvdb::GridPtrVec& grids, const 
   }
   const std::string held = "; the file holds " + list_grids(grids);
   if (found.empty() && !name.empty()) {
-    throw InvalidArgument(file + ": no grid is called '" + name + "'" + held);
+    throw InvalidArgument({.file = file,
+                           .text = "no grid is called '" + name + "'" + held,
+                           .advice = {Advice::choose_grid}},
+                          Option::grid);
   }
-  if (found.empty()) throw InvalidInput(file + ": no float or double grid to read" + held);
+  if (found.empty())
+    throw InvalidInput({.file = file, .text = "no float or double grid to read" + held},
+                       Fault::unsupported);
   if (found.size() > 1) {
-    throw InvalidArgument(file + ": several grids fit; choose one with --grid NAME" + held);
+    throw InvalidArgument(
+        {.file = file, .text = "several grids fit" + held, .advice = {Advice::choose_grid}},
+        Option::grid);
   }
   if (!is_scalar(*found.front())) {
-    throw InvalidInput(file + ": grid '" + name + "' holds " + found.front()->valueType() +
-                       " values; only float and double grids can be read");
+    refuse_grid(
+        {.file = file, .place = "grid '" + name + "'"},
+        "holds " + found.front()->valueType() + " values; only float and double grids can be read",
+        Fault::unsupported);
   }
   return found.front();
 }
 
 /// Sets spacing and direction of `volume`, and its origin to the world position of `corner`.
 void set_frame(Volume& volume, const openvdb::math::Transform& transform,
-               const openvdb::Coord& corner, const std::string& what) {
+               const openvdb::Coord& corner, const Finding& grid) {
   if (!transform.isLinear()) {
-    throw InvalidInput(what + " has a perspective transform (" + transform.mapType() +
-                       "); resample it to a linear one first");
+    refuse_grid(grid,
+                std::string("has a perspective transform (") + transform.mapType() +
+                    "); resample it to a linear one first",
+                Fault::unsupported);
   }
   const openvdb::Mat4d matrix = transform.baseMap()->getAffineMap()->getMat4();
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const openvdb::Vec4d row = matrix.row(static_cast<int>(axis));
     const double length = std::hypot(row[0], row[1], row[2]);
     if (!is_spacing(length)) {
-      throw InvalidInput(what + " has a transform that flattens axis " + std::to_string(axis) +
-                         " or blows it up: voxels must be between 1e-18 and 1e18 long");
+      refuse_grid(grid, "has a transform that flattens axis " + std::to_string(axis) +
+                            " or blows it up: voxels must be between 1e-18 and 1e18 long");
     }
     volume.spacing[axis] = length;
     volume.direction[axis] = {row[0] / length, row[1] / length, row[2] / length};
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Vec3& a = volume.direction[axis];
-    const Vec3& b = volume.direction[(axis + 1) % 3];
-    if (std::abs(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) > shear_tolerance) {
-      throw InvalidInput(what + " has a sheared transform: its axes are not at right angles; " +
-                         "resample it to an unsheared one first");
+    const double cosine = dot(volume.direction[axis], volume.direction[(axis + 1) % 3]);
+    if (std::abs(cosine) > shear_tolerance) {
+      refuse_grid(grid,
+                  "has a sheared transform: its axes are not at right angles; resample it to an "
+                  "unsheared one first",
+                  Fault::unsupported);
     }
   }
   const openvdb::Vec3d origin = transform.indexToWorld(corner);
@@ -119,14 +139,13 @@ void set_frame(Volume& volume, const openvdb::math::Transform& transform,
 }
 
 /// The active voxels' box and the margin round it.
-openvdb::CoordBBox box_of(const openvdb::GridBase& grid, VdbMargin margin,
-                          const std::string& what) {
+openvdb::CoordBBox box_of(const openvdb::GridBase& grid, VdbMargin margin, const Finding& where) {
   const openvdb::CoordBBox box = grid.evalActiveVoxelBoundingBox();
-  if (box.empty()) throw InvalidInput(what + " has no active voxels");
+  if (box.empty()) refuse_grid(where, "has no active voxels");
   for (int axis = 0; axis < 3; ++axis) {
     if (box.min()[axis] == std::numeric_limits<openvdb::Int32>::min() ||
         box.max()[axis] == std::numeric_limits<openvdb::Int32>::max()) {
-      throw InvalidInput(what + " reaches the end of OpenVDB's index space; crop it first");
+      refuse_grid(where, "reaches the end of OpenVDB's index space; crop it first");
     }
   }
   const int layers = margin == VdbMargin::background ? 1 : 0;
@@ -165,7 +184,7 @@ void decode_vdb(std::istream& file, const VdbRequest& request, const std::string
                 std::ostream& out) {
   const openvdb::GridBase::ConstPtr chosen =
       choose_grid(read_grids(file, what), request.grid, what);
-  const std::string grid = what + ": grid '" + chosen->getName() + "'";
+  const Finding grid{.file = what, .place = "grid '" + chosen->getName() + "'"};
   const openvdb::CoordBBox box = box_of(*chosen, request.margin, grid);
   VdbHeader header;
   set_frame(header.volume, chosen->transform(), box.min(), grid);

@@ -21,14 +21,17 @@ DecoderStatus decode(const std::vector<std::string>& arguments) {
   if (arguments.size() != 3) return DecoderStatus::failed;
   try {
     std::ifstream file(arguments[0], std::ios::binary);
-    if (!file) throw InvalidInput(arguments[0] + ": cannot be opened; check that you may read it");
+    if (!file)
+      throw InvalidInput(
+          {.file = arguments[0], .text = "cannot be opened; check that you may read it"},
+          Fault::unreadable);
     const VdbRequest request{arguments[1],
                              arguments[2] == "1" ? VdbMargin::background : VdbMargin::none};
     decode_vdb(file, request, arguments[0], std::cout);
   } catch (const InvalidArgument& error) {
-    send_error(std::cout, VdbErrorKind::argument, error.what());
+    send_error(std::cout, error);
   } catch (const InvalidInput& error) {
-    send_error(std::cout, VdbErrorKind::input, error.what());
+    send_error(std::cout, error);
   }
   return std::cout.flush() ? DecoderStatus::done : DecoderStatus::failed;
 }

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/base/errors.h"
+#include "core/grid/vec3.h"
 
 namespace isoloop {
 namespace {
@@ -17,7 +17,14 @@ constexpr std::uint64_t opening = 0x316264766f73690a;  // "\nisovdb1"
 constexpr std::uint32_t most_text_bytes = 1U << 16;
 constexpr double right_angle_tolerance = 1e-5;  // cosine between two index axes
 
-enum class Part : std::uint32_t { volume = 0, tile = 10, leaf = 11, end = 12 };
+enum class Part : std::uint32_t {
+  volume = 0,
+  argument = 1,
+  input = 2,
+  tile = 10,
+  leaf = 11,
+  end = 12
+};
 
 template <class T>
 void put(std::ostream& out, const T& value) {
@@ -57,12 +64,55 @@ std::string get_text(std::istream& in) {
   return text;
 }
 
+/// A value of an enumeration that ends with `last`.
+template <class Value>
+Value get_value(std::istream& in, Value last) {
+  const auto number = get<std::uint32_t>(in);
+  if (number > static_cast<std::uint32_t>(last))
+    throw BrokenMessage("its error is of no known kind");
+  return static_cast<Value>(number);
+}
+
+template <class Value>
+void put_value(std::ostream& out, Value value) {
+  put(out, static_cast<std::uint32_t>(value));
+}
+
+void put_finding(std::ostream& out, const Finding& finding) {
+  put_text(out, finding.file);
+  put_text(out, finding.place);
+  put_value(out, finding.about);
+  put_text(out, finding.text);
+  put(out, static_cast<std::uint32_t>(finding.advice.size()));
+  for (const Advice advice : finding.advice) put_value(out, advice);
+}
+
+Finding get_finding(std::istream& in) {
+  Finding finding;
+  finding.file = get_text(in);
+  finding.place = get_text(in);
+  finding.about = get_value(in, last_option);
+  finding.text = get_text(in);
+  const auto count = get<std::uint32_t>(in);
+  if (count > static_cast<std::uint32_t>(last_advice) + 1)
+    throw BrokenMessage("its error gives too much advice");
+  for (std::uint32_t i = 0; i < count; ++i) finding.advice.push_back(get_value(in, last_advice));
+  return finding;
+}
+
+[[noreturn]] void throw_argument(std::istream& in) {
+  const Option option = get_value(in, last_option);
+  throw InvalidArgument(get_finding(in), option);
+}
+
+[[noreturn]] void throw_input(std::istream& in) {
+  const Fault fault = get_value(in, last_fault);
+  throw InvalidInput(get_finding(in), fault);
+}
+
 void check_frame(const Volume& volume) {
   const auto finite = [](const Vec3& v) {
     return std::all_of(v.begin(), v.end(), [](double c) { return std::isfinite(c); });
-  };
-  const auto dot = [](const Vec3& a, const Vec3& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   };
   bool sound = finite(volume.origin) && finite(volume.spacing);
   for (std::size_t a = 0; a < 3; ++a) {
@@ -235,21 +285,29 @@ template void send_leaf(std::ostream&, const Index3&, std::span<const double, le
 
 void send_end(std::ostream& out) { put(out, Part::end); }
 
-void send_error(std::ostream& out, VdbErrorKind kind, const std::string& sentence) {
+void send_error(std::ostream& out, const InvalidArgument& error) {
   put(out, opening);
-  put(out, kind);
-  put_text(out, sentence);
+  put(out, Part::argument);
+  put_value(out, error.option);
+  put_finding(out, error.finding);
+}
+
+void send_error(std::ostream& out, const InvalidInput& error) {
+  put(out, opening);
+  put(out, Part::input);
+  put_value(out, error.fault);
+  put_finding(out, error.finding);
 }
 
 Volume receive_volume(std::istream& in, const VoxelLimits& limits, const std::string& what) {
   if (get<std::uint64_t>(in) != opening) throw BrokenMessage("it does not begin as it should");
-  switch (get<std::uint32_t>(in)) {
-    case static_cast<std::uint32_t>(Part::volume):
+  switch (get<Part>(in)) {
+    case Part::volume:
       break;
-    case static_cast<std::uint32_t>(VdbErrorKind::argument):
-      throw InvalidArgument(get_text(in));
-    case static_cast<std::uint32_t>(VdbErrorKind::input):
-      throw InvalidInput(get_text(in));
+    case Part::argument:
+      throw_argument(in);
+    case Part::input:
+      throw_input(in);
     default:
       throw BrokenMessage("it is of no known kind");
   }

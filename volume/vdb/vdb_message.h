@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/base/errors.h"
 #include "volume/base/memory_limit.h"
 #include "volume/voxels/volume.h"
 
@@ -37,8 +38,8 @@ template <class T>
 void send_leaf(std::ostream& out, const Index3& corner, std::span<const T, leaf_voxels> values);
 void send_end(std::ostream& out);
 
-enum class VdbErrorKind : std::uint32_t { argument = 1, input = 2 };
-void send_error(std::ostream& out, VdbErrorKind kind, const std::string& sentence);
+void send_error(std::ostream& out, const InvalidArgument& error);
+void send_error(std::ostream& out, const InvalidInput& error);
 
 /// A message that ends too early or that no sender of sound mind would send.
 struct BrokenMessage : std::runtime_error {
@@ -47,8 +48,8 @@ struct BrokenMessage : std::runtime_error {
 
 /// Receives a volume. Work and memory are bounded by the size that the header states, and that is
 /// checked against `limits` before memory is asked for; `what` opens the message of that error.
-/// Throws what an error message says (InvalidArgument, InvalidInput), LimitExceeded, and
-/// BrokenMessage.
+/// Throws the error that was sent (InvalidArgument, InvalidInput) with all its data, LimitExceeded,
+/// and BrokenMessage.
 Volume receive_volume(std::istream& in, const VoxelLimits& limits, const std::string& what);
 
 }  // namespace isoloop

@@ -6,6 +6,7 @@
 #include "core/base/errors.h"
 #include "volume/base/child_process.h"
 #include "volume/base/memory_limit.h"
+#include "volume/base/refuse.h"
 #include "volume/vdb/vdb.h"
 #include "volume/vdb/vdb_decoder.h"
 #include "volume/vdb/vdb_message.h"
@@ -23,7 +24,9 @@ constexpr std::uint64_t base_memory = std::uint64_t{64} << 20;  // of the progra
 std::uint64_t file_bytes(const std::filesystem::path& path) {
   std::error_code error;
   const std::uint64_t bytes = std::filesystem::file_size(path, error);
-  if (error) throw InvalidInput(path.string() + ": cannot be read: " + error.message());
+  if (error)
+    throw InvalidInput({.file = path.string(), .text = "cannot be read: " + error.message()},
+                       Fault::unreadable);
   return bytes;
 }
 
@@ -34,30 +37,34 @@ std::uint64_t most_memory(std::uint64_t bytes) {
 }
 
 [[noreturn]] void throw_reason(const std::filesystem::path& path, const ChildEnd& end,
-                               bool limited_by_caller, const std::string& broken) {
+                               std::uint64_t callers_limit, bool limited_by_caller,
+                               const std::string& broken) {
   using How = ChildEnd::How;
-  const std::string damaged =
-      path.string() + ": not a whole OpenVDB file; fetch or export it again";
+  const std::string file = path.string();
+  const std::string damaged = "not a whole OpenVDB file; fetch or export it again";
   const bool out_of_memory =
       end.how == How::exited && end.number == static_cast<int>(DecoderStatus::out_of_memory);
   if (limited_by_caller && (out_of_memory || end.how == How::crashed)) {
-    throw LimitExceeded(path.string() +
-                        ": its grids need more memory than the limit, or the file "
-                        "is damaged; raise --max-memory or take a smaller volume");
+    throw LimitExceeded({.file = path.string(),
+                         .text = "its grids need more memory than the limit, or the file "
+                                 "is damaged",
+                         .advice = {Advice::raise_memory_limit, Advice::take_smaller_volume}},
+                        {.unit = Excess::Unit::bytes, .limit = callers_limit, .stage = "read"});
   }
   if (out_of_memory) {
-    throw InvalidInput(damaged + " (it asks for more memory than a file of its size needs)");
+    refuse(file, damaged + " (it asks for more memory than a file of its size needs)");
   }
   switch (end.how) {
     case How::crashed:
-      throw InvalidInput(damaged + " (OpenVDB broke down over it, signal " +
-                         std::to_string(end.number) + ")");
+      refuse(file,
+             damaged + " (OpenVDB broke down over it, signal " + std::to_string(end.number) + ")");
     case How::out_of_time:
-      throw InvalidInput(damaged + " (it takes longer than a file of its size needs)");
+      refuse(file, damaged + " (it takes longer than a file of its size needs)");
     case How::interrupted:
-      throw InvalidInput(path.string() + ": reading was interrupted");
+      throw InvalidInput({.file = path.string(), .text = "reading was interrupted"},
+                         Fault::unreadable);
     default:
-      throw InvalidInput(damaged + " (of what OpenVDB made of it, " + broken + ")");
+      refuse(file, damaged + " (of what OpenVDB made of it, " + broken + ")");
   }
 }
 
@@ -66,8 +73,11 @@ ChildProcess start_decoder(const std::filesystem::path& path, const ChildLimits&
   try {
     return ChildProcess(vdb_decoder_program(), limits, arguments);
   } catch (const std::system_error& error) {
-    throw InvalidInput(path.string() +
-                       ": the program that decodes .vdb files cannot be started: " + error.what());
+    throw InvalidInput(
+        {.file = path.string(),
+         .text =
+             std::string("the program that decodes .vdb files cannot be started: ") + error.what()},
+        Fault::unreadable);
   }
 }
 
@@ -88,7 +98,7 @@ Volume read_vdb(const std::filesystem::path& path, const std::string& grid,
   try {
     return receive_volume(child.output(), limits, path.string());
   } catch (const BrokenMessage& error) {
-    throw_reason(path, child.wait(), limited_by_caller, error.what());
+    throw_reason(path, child.wait(), callers_limit, limited_by_caller, error.what());
   }
 }
 

@@ -40,7 +40,8 @@ openvdb::FloatGrid::Ptr to_grid(const Volume& volume, const std::string& what) {
   openvdb::Coord top;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (volume.dims[axis] > std::numeric_limits<openvdb::Int32>::max()) {
-      throw InvalidInput(what + ": OpenVDB cannot hold " + dims_text(volume.dims) + " voxels");
+      throw InvalidInput(
+          {.file = what, .text = "OpenVDB cannot hold " + dims_text(volume.dims) + " voxels"});
     }
     top[static_cast<int>(axis)] = static_cast<openvdb::Int32>(volume.dims[axis] - 1);
   }
@@ -67,7 +68,8 @@ void write_vdb(std::ostream& out, const Volume& volume, const std::string& what)
     stream.setCompression(openvdb::io::COMPRESS_BLOSC | openvdb::io::COMPRESS_ACTIVE_MASK);
     stream.write(openvdb::GridPtrVec{to_grid(volume, what)});
   } catch (const openvdb::Exception& error) {
-    throw InvalidInput(what + ": OpenVDB cannot write the volume: " + error.what());
+    throw InvalidInput(
+        {.file = what, .text = std::string("OpenVDB cannot write the volume: ") + error.what()});
   }
 }
 

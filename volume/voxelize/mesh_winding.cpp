@@ -120,7 +120,10 @@ WindingResult negate_inside(std::vector<float>& values, const Index3& dims, cons
                             const std::vector<Vec3>& index_points, InsideOf rule,
                             std::uint64_t max_bytes, const std::string& what) {
   if (std::max({dims[0], dims[1], dims[2]}) > most_dim) {
-    throw LimitExceeded(what + ": more than 262144 voxels along an axis; take larger voxels");
+    throw LimitExceeded({.file = what,
+                         .text = "more than 262144 voxels along an axis",
+                         .advice = {Advice::take_larger_voxels}},
+                        {.unit = Excess::Unit::voxels});
   }
   const auto corners = [&](std::size_t t) {
     std::array<Point, 3> p{};
@@ -139,9 +142,14 @@ WindingResult negate_inside(std::vector<float>& values, const Index3& dims, cons
   }
   for (std::size_t k = 0; k < slice_count; ++k) slices.first[k + 1] += slices.first[k];
   if (slices.first.back() > max_bytes / sizeof(std::uint32_t)) {
-    throw LimitExceeded(what +
-                        ": its triangles cross so many slices of voxels that they take more "
-                        "memory than the limit; raise --max-memory or take larger voxels");
+    throw LimitExceeded({.file = what,
+                         .text = "its triangles cross so many slices of voxels that they take more "
+                                 "memory than the limit",
+                         .advice = {Advice::raise_memory_limit, Advice::take_larger_voxels}},
+                        {.unit = Excess::Unit::bytes,
+                         .needed = slices.first.back() * sizeof(std::uint32_t),
+                         .limit = max_bytes,
+                         .stage = "read"});
   }
   slices.triangles.resize(slices.first.back());
   std::vector<std::size_t> next(slices.first.begin(), slices.first.end() - 1);

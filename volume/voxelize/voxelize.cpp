@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "core/base/errors.h"
+#include "volume/base/rounded_text.h"
 #include "volume/mesh/mesh_box.h"
 #include "volume/mesh/mesh_closure.h"
+#include "volume/mesh_topology/mesh_counts.h"
 #include "volume/voxelize/mesh_distance.h"
 #include "volume/voxelize/mesh_winding.h"
 
@@ -21,28 +22,24 @@ double longest_side(const Box& box) {
   return std::max({box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]});
 }
 
-std::string text(double number) {
-  std::string digits(32, '\0');
-  digits.resize(
-      static_cast<std::size_t>(std::snprintf(digits.data(), digits.size(), "%.6g", number)));
-  return digits;
-}
-
 double voxel_length(const Box& box, const VoxelSize& size, const std::string& what) {
   const double side = longest_side(box);
   constexpr double most_side = 1e100;  // far from where sums and products overflow
   if (!(side > 0.0 && side < most_side)) {
-    throw InvalidInput(what + ": the mesh has no extent that could be voxelised");
+    throw InvalidInput({.file = what, .text = "the mesh has no extent that could be voxelised"});
   }
   if (size.automatic || size.length.has_value() == size.resolution.has_value()) {
-    throw InvalidArgument(what + ": a mesh needs a voxel size, --voxel LENGTH or --resolution " +
-                          "VOXELS (or auto) along its longest side, which is " + text(side));
+    throw InvalidArgument(
+        {.file = what,
+         .text = "a mesh needs a voxel size; its longest side is " + rounded_text(side),
+         .advice = {Advice::state_voxel_size}},
+        Option::voxel_size);
   }
   const double length = size.length ? *size.length : side / static_cast<double>(*size.resolution);
   if (!is_spacing(length)) {
-    throw InvalidArgument(what +
-                          ": --voxel and --resolution must be positive, and voxels between "
-                          "1e-18 and 1e18 long");
+    throw InvalidArgument({.file = what,
+                           .about = Option::voxel_size,
+                           .text = "must be positive, and voxels between 1e-18 and 1e18 long"});
   }
   return length;
 }
@@ -52,9 +49,10 @@ void check_distance(const Box& box, double length, const std::string& what) {
   for (std::size_t a = 0; a < 3; ++a) {
     const double distance = std::max(std::abs(box.low[a]), std::abs(box.high[a]));
     if (distance / length < most_voxels) continue;
-    throw InvalidInput(what + ": the mesh lies so far from the origin (" + text(distance) +
-                       ") that voxels of " + text(length) +
-                       " cannot be told apart; move it to the origin");
+    throw InvalidInput({.file = what,
+                        .text = "the mesh lies so far from the origin (" + rounded_text(distance) +
+                                ") that voxels of " + rounded_text(length) +
+                                " cannot be told apart; move it to the origin"});
   }
 }
 
@@ -64,8 +62,11 @@ Index3 dims_of(const Box& box, double length, const std::string& what) {
     const double voxels = std::ceil((box.high[a] - box.low[a]) / length + 2.0 * margin) + 1.0;
     constexpr double most = 1e9;
     if (!(voxels < most)) {
-      throw LimitExceeded(what + ": voxels of " + text(length) +
-                          " are more than can be counted; take larger voxels (--voxel)");
+      throw LimitExceeded(
+          {.file = what,
+           .text = "voxels of " + rounded_text(length) + " are more than can be counted",
+           .advice = {Advice::take_larger_voxels}},
+          {.unit = Excess::Unit::voxels});
     }
     dims[a] = static_cast<std::int64_t>(voxels);
   }
@@ -88,28 +89,34 @@ std::vector<Vec3> index_points(const Mesh& mesh, const Vec3& origin, double leng
 /// Signed distances in voxels, and what had to be assumed.
 std::vector<float> signed_distances(const Mesh& mesh, const std::vector<Vec3>& points,
                                     const Index3& dims, std::uint64_t max_bytes,
-                                    const std::string& what, std::vector<std::string>& warnings) {
+                                    const std::string& what, std::vector<Finding>& warnings) {
   const Closure closure = closure_of(mesh);
   if (closure.open_edges > 0) {
     warnings.push_back(
-        what + ": the mesh is open (" + std::to_string(closure.open_edges) +
-        " edges do not have an even number of faces); inside is taken to be what cannot be reached "
-        "from without through a hole wider than a voxel, so hollows are filled");
+        {.file = what,
+         .text = "the mesh is open (" + std::to_string(closure.open_edges) +
+                 " edges do not have an even number of faces); inside is taken to be what cannot "
+                 "be reached "
+                 "from without through a hole wider than a voxel, so hollows are filled"});
     return flooded_distances(mesh, points, dims);
   }
   std::vector<float> values = unsigned_distances(mesh, points, dims);
   const InsideOf rule = closure.one_way_edges > 0 ? InsideOf::parity : InsideOf::winding;
   const WindingResult result = negate_inside(values, dims, mesh, points, rule, max_bytes, what);
   if (rule == InsideOf::parity) {
-    warnings.push_back(what + ": faces disagree on which side is outside (" +
-                       std::to_string(closure.one_way_edges) +
-                       " edges); inside is taken to be where a line from without has crossed the "
-                       "mesh an odd number of times");
+    warnings.push_back(
+        {.file = what,
+         .text = "faces disagree on which side is outside (" +
+                 std::to_string(closure.one_way_edges) +
+                 " edges); inside is taken to be where a line from without has crossed the "
+                 "mesh an odd number of times"});
   } else if (result.twice || result.opposite) {
-    warnings.push_back(what +
-                       ": the mesh crosses itself or has parts that overlap; inside is taken to be "
-                       "all that it winds round" +
-                       (result.opposite ? ", in either direction" : ""));
+    warnings.push_back(
+        {.file = what,
+         .text =
+             std::string("the mesh crosses itself or has parts that overlap; inside is taken to "
+                         "be all that it winds round") +
+             (result.opposite ? ", in either direction" : "")});
   }
   return values;
 }
@@ -131,9 +138,11 @@ Volume voxelize(const Mesh& mesh, const VoxelSize& size, const VoxelLimits& limi
   volume.level_set = true;
   volume.warnings = mesh.warnings;
   if (mesh.loose_points > 0) {
-    volume.warnings.push_back(what + ": " + std::to_string(mesh.loose_points) +
-                              " points are in no face; the mesh is taken to be whole, but if the "
-                              "file was cut short, parts of it are missing");
+    volume.warnings.push_back(
+        {.file = what,
+         .text = std::to_string(mesh.loose_points) +
+                 " points are in no face; the mesh is taken to be whole, but if the "
+                 "file was cut short, parts of it are missing"});
   }
   volume.mesh = counts ? *counts : count_mesh(mesh, length, max_bytes);
   const std::vector<Vec3> points = index_points(mesh, volume.origin, length);

@@ -1,22 +1,15 @@
 // From a mesh to a level set.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 
+#include "isoloop/read.h"
+#include "isoloop/volume.h"
 #include "volume/base/memory_limit.h"
 #include "volume/mesh/mesh.h"
-#include "volume/voxels/volume.h"
 
 namespace isoloop {
-
-/// How large voxels are: one of the three.
-struct VoxelSize {
-  std::optional<double> length{};            // of a voxel's edge, unit of the mesh
-  std::optional<std::int64_t> resolution{};  // voxels along the mesh's longest side
-  bool automatic = false;                    // see voxelize_until_counts_agree; read_volume does it
-};
 
 /// The mesh's signed distance at the voxel centres, float32, at most three voxels either way;
 /// negative inside, 0 on the mesh. The frame is `world`, that of the mesh; level_set is set; two

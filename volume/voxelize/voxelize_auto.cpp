@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <new>
 #include <optional>
@@ -11,7 +10,9 @@
 
 #include "core/analysis/analysis.h"
 #include "core/base/errors.h"
+#include "volume/base/rounded_text.h"
 #include "volume/mesh/mesh_box.h"
+#include "volume/mesh_topology/mesh_counts.h"
 
 namespace isoloop {
 namespace {
@@ -31,12 +32,6 @@ std::string text(const std::vector<Attempt>& attempts) {
   return text;
 }
 
-std::string short_text(double length) {
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.4g", length);
-  return digits.data();
-}
-
 std::uint64_t voxel_bytes(const Volume& volume) {
   return static_cast<std::uint64_t>(volume.dims[0] * volume.dims[1] * volume.dims[2]) *
          sizeof(float);
@@ -53,7 +48,7 @@ Betti betti_of(const Volume& volume, std::uint64_t max_bytes) {
 struct Step {
   std::optional<Volume> volume{};
   Betti betti{};
-  std::string limit{};
+  std::optional<LimitExceeded> limit{};
 };
 
 Step step_at(std::int64_t resolution, const Mesh& mesh, const MeshCounts& counts,
@@ -64,10 +59,9 @@ Step step_at(std::int64_t resolution, const Mesh& mesh, const MeshCounts& counts
     step.betti = betti_of(volume, limits.max_bytes);
     step.volume = std::move(volume);
   } catch (const LimitExceeded& error) {
-    step.limit = error.what();
-    if (step.limit.starts_with(what + ": ")) step.limit.erase(0, what.size() + 2);
+    step.limit = error;
   } catch (const std::bad_alloc&) {
-    step.limit = "there is not enough memory";
+    step.limit = LimitExceeded({.file = what, .text = "there is not enough memory"});
   }
   return step;
 }
@@ -87,24 +81,29 @@ std::int64_t distance(const Betti& betti, const MeshCounts& counts) {
 }
 
 /// What was found, for the reader of the result.
-void tell(const std::vector<Attempt>& attempts, const Attempt& best, const std::string& limit,
-          const MeshCounts& counts, const std::string& what, Volume& volume) {
-  const std::string took = "--resolution auto took " + std::to_string(best.resolution);
+Finding account(const std::vector<Attempt>& attempts, const Attempt& best,
+                const std::optional<LimitExceeded>& limit, const MeshCounts& counts) {
+  std::string how;
+  if (limit) {
+    how = counts.betti ? ", the nearest to the mesh's own counts"
+                       : ", the finest, whose counts may not stay";
+  } else if (!counts.betti) {
+    how = ", whose counts are those of half the resolution";
+  }
   std::string found = ": the voxels have " + text(attempts);
   found += counts.betti ? ", the mesh itself " + betti_text(*counts.betti)
                         : ", and the mesh has no counts of its own, because " + counts.unknown;
-  if (counts.gap) found += " with shells " + short_text(*counts.gap) + " apart";
-  if (!limit.empty()) {
-    volume.warnings.push_back(what + ": " + took +
-                              (counts.betti ? ", the nearest to the mesh's own counts"
-                                            : ", the finest, whose counts may not stay") +
-                              found + "; a limit ended it: " + limit);
-  } else if (counts.betti) {
-    volume.notes.push_back(took + found);
-  } else {
-    volume.warnings.push_back(what + ": " + took +
-                              ", whose counts are those of half the resolution" + found);
-  }
+  if (counts.gap) found += " with shells " + rounded_text(*counts.gap, 4) + " apart";
+  if (limit) found += "; a limit ended it: " + limit->finding.text;
+  return {.about = Option::automatic_resolution,
+          .text = "took " + std::to_string(best.resolution) + how + found,
+          .advice = limit ? limit->finding.advice : std::vector<Advice>{}};
+}
+
+/// As a warning where the counts are not proved to be those of the mesh.
+void tell(Finding account, bool is_proved, const std::string& what, Volume& volume) {
+  if (!is_proved) account.file = what;
+  (is_proved ? volume.notes : volume.warnings).push_back(std::move(account));
 }
 
 }  // namespace
@@ -112,7 +111,9 @@ void tell(const std::vector<Attempt>& attempts, const Attempt& best, const std::
 Volume voxelize_until_counts_agree(const Mesh& mesh, const VoxelSize& size,
                                    const VoxelLimits& limits, const std::string& what) {
   if (size.length || size.resolution) {
-    throw InvalidArgument(what + ": --resolution auto does not go with another size of voxels");
+    throw InvalidArgument({.file = what,
+                           .about = Option::automatic_resolution,
+                           .text = "does not go with another size of voxels"});
   }
   const std::uint64_t max_bytes = limits.max_bytes == 0 ? default_voxel_limit() : limits.max_bytes;
   const MeshCounts counts =
@@ -121,11 +122,11 @@ Volume voxelize_until_counts_agree(const Mesh& mesh, const VoxelSize& size,
   std::vector<Attempt> attempts;
   Attempt best;
   std::optional<Volume> volume;  // that of the best
-  std::string limit;
+  std::optional<LimitExceeded> limit;
   for (std::int64_t resolution = first_resolution;; resolution *= 2) {
     Step step = step_at(resolution, mesh, counts, left, what);
     if (!step.volume) {
-      if (!volume) throw LimitExceeded(what + ": " + step.limit);
+      if (!volume) throw *step.limit;
       limit = step.limit;
       break;
     }
@@ -139,7 +140,7 @@ Volume voxelize_until_counts_agree(const Mesh& mesh, const VoxelSize& size,
     left.max_bytes = max_bytes - std::min(max_bytes - 1, voxel_bytes(*volume));
   }
   volume->mesh->voxels = best.betti;
-  tell(attempts, best, limit, counts, what, *volume);
+  tell(account(attempts, best, limit, counts), counts.betti && !limit, what, *volume);
   return std::move(*volume);
 }
 

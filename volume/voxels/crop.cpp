@@ -37,16 +37,20 @@ VoxelBox voxels_in(const CropBox& box, const Index3& dims, const std::string& wh
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::int64_t begin = box[axis].begin.value_or(0);
     const std::int64_t end = box[axis].end.value_or(dims[axis]);
-    const std::string asked = what + ": --crop asks for the voxels " + text(box[axis]) + " along " +
-                              axis_names[axis] + ", ";
+    const std::string asked =
+        "asks for the voxels " + text(box[axis]) + " along " + axis_names[axis] + ", ";
     if (begin < 0 || begin >= dims[axis] || end > dims[axis]) {
-      throw InvalidArgument(asked + "but there are 0:" + std::to_string(dims[axis]) + " in " +
-                            dims_text(dims) + " voxels");
+      throw InvalidArgument({.file = what,
+                             .about = Option::crop,
+                             .text = asked + "but there are 0:" + std::to_string(dims[axis]) +
+                                     " in " + dims_text(dims) + " voxels"});
     }
     if (begin >= end) {
-      throw InvalidArgument(asked +
-                            "which are none, since the second number is the first that is " +
-                            "left out; there are " + dims_text(dims) + " voxels");
+      throw InvalidArgument(
+          {.file = what,
+           .about = Option::crop,
+           .text = asked + "which are none, since the second number is the first that is " +
+                   "left out; there are " + dims_text(dims) + " voxels"});
     }
     voxels.first[axis] = begin;
     voxels.dims[axis] = end - begin;

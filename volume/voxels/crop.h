@@ -1,22 +1,12 @@
 // Parts of volumes.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <optional>
 #include <string>
 
-#include "volume/voxels/volume.h"
+#include "isoloop/read.h"
+#include "isoloop/volume.h"
 
 namespace isoloop {
-
-/// Voxel indices along an axis, from `begin` to before `end`.
-struct CropRange {
-  std::optional<std::int64_t> begin{};  // unset: 0
-  std::optional<std::int64_t> end{};    // unset: as many as there are
-};
-
-using CropBox = std::array<CropRange, 3>;
 
 /// Voxels from `first` on, `dims` of them along each axis.
 struct VoxelBox {

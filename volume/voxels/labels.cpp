@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <optional>
 #include <set>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "core/base/errors.h"
+#include "volume/base/rounded_text.h"
 
 namespace isoloop {
 namespace {
@@ -22,12 +22,6 @@ std::string list_of(const std::vector<std::int64_t>& labels) {
   for (const std::int64_t label : labels)
     text += (text.empty() ? "" : ", ") + std::to_string(label);
   return text;
-}
-
-std::string text(double number) {
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.9g", number);
-  return digits.data();
 }
 
 /// What is learnt of the labels on the way over the voxels.
@@ -96,16 +90,21 @@ std::vector<std::uint8_t> mask_of(const std::vector<T>& values, Census& census) 
 
 std::string examples_of(const Census& census) {
   std::string list;
-  for (const double value : census.examples) list += (list.empty() ? "" : ", ") + text(value);
-  return "lie farther than " + text(label_tolerance) + " from a whole number, such as " + list;
+  for (const double value : census.examples)
+    list += (list.empty() ? "" : ", ") + rounded_text(value, 9);
+  return "lie farther than " + rounded_text(label_tolerance, 9) + " from a whole number, such as " +
+         list;
 }
 
 void check_strays(const Census& census, std::size_t voxels, const std::string& what) {
   if (census.strays <= static_cast<std::int64_t>(voxels) / voxels_for_each_stray) return;
-  throw InvalidArgument(what + ": is no label map for --label: " + std::to_string(census.strays) +
-                        " of " + std::to_string(voxels) + " voxels " + examples_of(census) +
-                        "; take an iso value in their place, or resample the labels without "
-                        "interpolation");
+  throw InvalidArgument(
+      {.file = what,
+       .text = "is no label map: " + std::to_string(census.strays) + " of " +
+               std::to_string(voxels) + " voxels " + examples_of(census) +
+               "; take an iso value in their place, or resample the labels without "
+               "interpolation"},
+      Option::labels);
 }
 
 void report(const Census& census, const std::vector<std::int64_t>& labels, const std::string& what,
@@ -115,21 +114,26 @@ void report(const Census& census, const std::vector<std::int64_t>& labels, const
     if (!found) missing.push_back(label);
   }
   if (missing.size() == census.wanted.size()) {
-    throw InvalidArgument(what + ": no voxel has the label " + list_of(labels) +
-                          " (--label); the lowest labels in it are " +
-                          list_of({census.lowest.begin(), census.lowest.end()}));
+    throw InvalidArgument(
+        {.file = what,
+         .text = "no voxel has the label " + list_of(labels) + "; the lowest labels in it are " +
+                 list_of({census.lowest.begin(), census.lowest.end()})},
+        Option::labels);
   }
-  if (!missing.empty()) volume.warnings.push_back("no voxel has the label " + list_of(missing));
+  if (!missing.empty())
+    volume.warnings.push_back({.text = "no voxel has the label " + list_of(missing)});
   if (census.strays > 0) {
-    volume.warnings.push_back("values that " + examples_of(census) +
-                              ", are no labels: voxels that are outside for that reason: " +
-                              std::to_string(census.strays));
+    volume.warnings.push_back(
+        {.text = "values that " + examples_of(census) +
+                 ", are no labels: voxels that are outside for that reason: " +
+                 std::to_string(census.strays)});
   }
-  volume.notes.push_back("a mask: 1 where the label is " + list_of(labels) + ", else 0");
+  volume.notes.push_back({.text = "a mask: 1 where the label is " + list_of(labels) + ", else 0"});
   if (census.taken_near > 0) {
-    volume.notes.push_back(std::to_string(census.taken_near) +
-                           " voxels of these labels are no whole numbers: the nearest is taken, " +
-                           text(census.largest_distance) + " off at most");
+    volume.notes.push_back(
+        {.text = std::to_string(census.taken_near) +
+                 " voxels of these labels are no whole numbers: the nearest is taken, " +
+                 rounded_text(census.largest_distance, 9) + " off at most"});
   }
 }
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "core/base/errors.h"
+#include "core/grid/vec3.h"
+#include "volume/base/refuse.h"
+#include "volume/base/rounded_text.h"
 
 namespace isoloop {
 namespace {
@@ -13,21 +15,16 @@ namespace {
 constexpr double shear_tolerance = 1e-3;  // cosine between two index axes
 constexpr std::array<char, 3> axis_names{'x', 'y', 'z'};
 
-std::string text(double number) {
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.6g", number);
-  return digits.data();
-}
-
 // Six digits, if that is all that rounding to float32 can have moved.
 double rounded_length(double length) {
-  const double rounded = std::strtod(text(length).c_str(), nullptr);
+  const double rounded = std::strtod(rounded_text(length).c_str(), nullptr);
   return std::abs(rounded - length) <= 1e-6 * length ? rounded : length;
 }
 
-double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-constexpr const char* way_out = "; correct the header, or give --spacing X Y Z in its place";
+/// Throws, of a header that places no voxels.
+[[noreturn]] void refuse_placement(const std::string& what, const std::string& complaint) {
+  refuse(what, complaint, Fault::damaged, {Advice::correct_header, Advice::state_spacing});
+}
 
 void check_right_angles(const Volume& volume, const std::string& what) {
   for (std::size_t a = 0; a < 3; ++a) {
@@ -35,12 +32,13 @@ void check_right_angles(const Volume& volume, const std::string& what) {
     const double cosine = dot(volume.direction[a], volume.direction[b]);
     if (std::abs(cosine) <= shear_tolerance) continue;
     const double degrees = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
-    throw InvalidInput(
-        what + ": its axes " + axis_names[a] + " and " + axis_names[b] + " meet at " +
-        text(degrees) + " degrees (sheared); read as a box, lengths would be wrong " + "by up to " +
-        text(100 * std::abs(cosine)) + " %: resample it to right angles, or give --spacing " +
-        text(volume.spacing[0]) + " " + text(volume.spacing[1]) + " " + text(volume.spacing[2]) +
-        " to read it as that box");
+    refuse(what,
+           std::string("its axes ") + axis_names[a] + " and " + axis_names[b] + " meet at " +
+               rounded_text(degrees) + " degrees (sheared); read as a box of voxels " +
+               rounded_text(volume.spacing[0]) + " x " + rounded_text(volume.spacing[1]) + " x " +
+               rounded_text(volume.spacing[2]) + ", lengths would be wrong by up to " +
+               rounded_text(100 * std::abs(cosine)) + " %",
+           Fault::unsupported, {Advice::resample, Advice::state_spacing});
   }
 }
 
@@ -56,11 +54,11 @@ void place(Volume& volume, const Placement& placement, const std::optional<Vec3>
     const Vec3& column = placement.columns[axis];
     const double length = std::hypot(column[0], column[1], column[2]);
     if (!is_spacing(length)) {
-      throw InvalidInput(what + ": its header states the spacing " + text(length) + " along " +
-                         axis_names[axis] + ", which is not between 1e-18 and 1e18" + way_out);
+      refuse_placement(what, "its header states the spacing " + rounded_text(length) + " along " +
+                                 axis_names[axis] + ", which is not between 1e-18 and 1e18");
     }
     if (!std::isfinite(placement.origin[axis])) {
-      throw InvalidInput(what + ": its header states an origin that is not finite" + way_out);
+      refuse_placement(what, "its header states an origin that is not finite");
     }
     volume.spacing[axis] = rounded_length(length);
     for (std::size_t c = 0; c < 3; ++c) volume.direction[axis][c] = column[c] / length;
@@ -75,12 +73,12 @@ std::array<Vec3, 3> columns_of(const Vec3& spacing, const std::string& what) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double length = spacing[axis];
     const std::string stated =
-        what + ": its header states the spacing " + text(length) + " along " + axis_names[axis];
+        "its header states the spacing " + rounded_text(length) + " along " + axis_names[axis];
     if (length < 0.0) {
-      throw InvalidInput(stated + ", which may mean a length of " + text(-length) +
-                         " or an axis that runs backwards, and isoloop does not guess" + way_out);
+      refuse_placement(what, stated + ", which may mean a length of " + rounded_text(-length) +
+                                 " or an axis that runs backwards, and isoloop does not guess");
     }
-    if (!std::isfinite(length) || length == 0.0) throw InvalidInput(stated + way_out);
+    if (!std::isfinite(length) || length == 0.0) refuse_placement(what, stated);
     columns[axis][axis] = length;
   }
   return columns;
@@ -111,8 +109,10 @@ double largest_distance(const Placement& a, const Placement& b, const Index3& di
 void turn_frame(Volume& volume, Frame frame, const std::string& what) {
   if (volume.frame == frame) return;
   if (volume.frame != Frame::lps && volume.frame != Frame::ras) {
-    throw InvalidArgument(what + ": the file does not say where left and right are, so --world " +
-                          "cannot turn its coordinates");
+    throw InvalidArgument(
+        {.file = what,
+         .about = Option::world,
+         .text = "cannot be taken: the file does not say where left and right are"});
   }
   for (std::size_t c = 0; c < 2; ++c) {
     volume.origin[c] = 0.0 - volume.origin[c];

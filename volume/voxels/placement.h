@@ -2,28 +2,13 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <string>
 
-#include "volume/voxels/crop.h"
-#include "volume/voxels/volume.h"
+#include "isoloop/read.h"
+#include "isoloop/volume.h"
 
 namespace isoloop {
-
-/// Which of a NIfTI header's two maps to the world to use.
-enum class NiftiTransform { automatic, sform, qform };
-
-/// What a caller may ask of any format that is not raw or OpenVDB.
-struct FormatOptions {
-  std::optional<std::int64_t> frame{};    // of a 4-D file, from 0; unset: the file must hold one
-  std::optional<std::int64_t> channel{};  // of a TIFF file, from 0; unset: the file must hold one
-  std::optional<Vec3> spacing{};  // length per voxel; replaces all that the file says of where
-  std::string series{};           // of a folder of DICOM slices: (part of) its identifier
-  std::string array{};            // of a .vti file; empty: the active or only one
-  NiftiTransform transform = NiftiTransform::automatic;
-  std::optional<CropBox> crop{};  // voxels to read, where a format can leave others out: see crop()
-};
 
 /// The map from voxel indices to the world, as a header states it.
 struct Placement {

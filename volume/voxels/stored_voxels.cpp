@@ -90,9 +90,12 @@ std::vector<Narrow> read_wide(const ByteSource& next, std::uint64_t count, Endia
     for (const Wide value : read_values<Wide>(next, now, endian)) {
       if (value < std::numeric_limits<Narrow>::min() ||
           value > std::numeric_limits<Narrow>::max()) {
-        throw InvalidInput(what + ": a voxel is " + std::to_string(value) +
-                           ", and integers of 64 bits are read only if they fit 32; convert the "
-                           "volume to a smaller type");
+        throw InvalidInput(
+            {.file = what,
+             .text = "a voxel is " + std::to_string(value) +
+                     ", and integers of 64 bits are read only if they fit 32; convert the "
+                     "volume to a smaller type"},
+            Fault::unsupported);
       }
       values[done++] = static_cast<Narrow>(value);
     }
@@ -156,8 +159,9 @@ std::optional<StoredType> float_type(std::uint64_t bytes) {
 
 void check_layout(const VoxelLayout& layout, const VoxelLimits& limits, const std::string& what) {
   if (*std::min_element(layout.dims.begin(), layout.dims.end()) < 1 || layout.frames < 1) {
-    throw InvalidInput(what + ": its header states the dimensions " + dims_text(layout.dims) +
-                       ", which make no volume");
+    throw InvalidInput({.file = what,
+                        .text = "its header states the dimensions " + dims_text(layout.dims) +
+                                ", which make no volume"});
   }
   const bool wide = layout.type == StoredType::int64 || layout.type == StoredType::uint64;
   const std::uint64_t stored = wide ? 4 : bytes_per_voxel(layout.type);
@@ -167,8 +171,9 @@ void check_layout(const VoxelLayout& layout, const VoxelLimits& limits, const st
                      what);
   const std::uint64_t bytes = checked_voxel_bytes(layout.dims, bytes_per_voxel(layout.type), what);
   if (layout.frames > std::numeric_limits<std::int64_t>::max() / bytes) {
-    throw InvalidInput(what + ": its header states " + std::to_string(layout.frames) +
-                       " frames, more than can be counted");
+    throw InvalidInput({.file = what,
+                        .text = "its header states " + std::to_string(layout.frames) +
+                                " frames, more than can be counted"});
   }
 }
 
@@ -177,12 +182,17 @@ std::uint64_t choose_frame(const VoxelLayout& layout, const std::optional<std::i
   const std::string last = std::to_string(layout.frames - 1);
   if (!frame) {
     if (layout.frames == 1) return 0;
-    throw InvalidArgument(what + ": holds " + std::to_string(layout.frames) +
-                          " frames (4-D); choose one with --frame 0 to " + last);
+    throw InvalidArgument(
+        {.file = what,
+         .text = "holds " + std::to_string(layout.frames) + " frames (4-D), 0 to " + last,
+         .advice = {Advice::choose_frame}},
+        Option::frame);
   }
   if (*frame < 0 || static_cast<std::uint64_t>(*frame) >= layout.frames) {
-    throw InvalidArgument(what + ": has no frame " + std::to_string(*frame) +
-                          "; --frame counts from 0 to " + last);
+    throw InvalidArgument(
+        {.file = what,
+         .about = Option::frame,
+         .text = "counts from 0 to " + last + ": there is no " + std::to_string(*frame)});
   }
   return static_cast<std::uint64_t>(*frame);
 }
@@ -212,7 +222,7 @@ VoxelArray read_stored(const ByteSource& next, const VoxelLayout& layout, const 
     case StoredType::uint64:
       return read_wide<std::uint64_t, std::uint32_t>(next, count, endian, what);
   }
-  throw InvalidInput(what + ": unknown voxel type");
+  throw InvalidInput({.file = what, .text = "unknown voxel type"});
 }
 
 void read_voxels(ByteStream& stream, const VoxelLayout& layout, std::uint64_t frame,
@@ -252,14 +262,15 @@ void add_scale_note(const VoxelLayout& layout, Volume& volume) {
   std::array<char, 96> text{};
   std::snprintf(text.data(), text.size(), "values are %.9g x stored + %.9g", layout.slope,
                 layout.intercept);
-  volume.notes.emplace_back(text.data());
+  volume.notes.push_back({.text = text.data()});
 }
 
 VoxelArray rescaled(VoxelArray values, double slope, double intercept, const std::string& what) {
   if (!std::isfinite(slope) || !std::isfinite(intercept) || slope == 0.0) {
-    throw InvalidInput(what + ": its header scales voxels by slope " + std::to_string(slope) +
-                       " and intercept " + std::to_string(intercept) +
-                       ", which leaves no values; correct the header");
+    throw InvalidInput({.file = what,
+                        .text = "its header scales voxels by slope " + std::to_string(slope) +
+                                " and intercept " + std::to_string(intercept) +
+                                ", which leaves no values; correct the header"});
   }
   if (slope == 1.0 && intercept == 0.0) return values;
   const bool whole = slope == std::trunc(slope) && intercept == std::trunc(intercept) &&

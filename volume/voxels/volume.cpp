@@ -72,6 +72,13 @@ Vec3 to_world(const Volume& volume, const Vec3& index) {
   return world;
 }
 
+std::vector<std::vector<Vec3>> to_world(const Volume& volume,
+                                        std::vector<std::vector<Vec3>> curves) {
+  for (std::vector<Vec3>& curve : curves)
+    for (Vec3& point : curve) point = to_world(volume, point);
+  return curves;
+}
+
 bool frame_mirrors(const Volume& volume) {
   const auto& [a, b, c] = volume.direction;
   return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +

@@ -1,6 +1,7 @@
 #include "core/base/memory_budget.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -15,14 +16,15 @@
 namespace isoloop {
 namespace {
 
-/// The complaint of find_loops() within `bytes`; empty if there is none.
-std::string complaint_within(const testing::SmallVolume& volume, std::uint64_t bytes) {
+/// What find_loops() lacks within `bytes`, if anything.
+std::optional<LimitExceeded> refusal_within(const testing::SmallVolume& volume,
+                                            std::uint64_t bytes) {
   try {
     find_loops(volume.view(), testing::zero_level, {.max_bytes = bytes});
   } catch (const LimitExceeded& error) {
-    return error.what();
+    return error;
   }
-  return "";
+  return std::nullopt;
 }
 
 TEST(MemoryBudget, EachStageIsRefusedByNameBeforeItStarts) {
@@ -39,12 +41,18 @@ TEST(MemoryBudget, EachStageIsRefusedByNameBeforeItStarts) {
        {"pass", pass_bytes(lattice, surface, sizes, 1) +
                     slab_bytes(lattice, p.sides.lattice.dims[2] + 1, 1)}}};
   for (const auto& [stage, bytes] : stages) {
-    const std::string complaint = complaint_within(volume, bytes - 1);
-    for (const std::string& part : {std::string(stage), bytes_text(bytes), bytes_text(bytes - 1),
-                                    std::string("--max-memory")})
-      EXPECT_NE(complaint.find(part), std::string::npos) << complaint;
+    const auto error = refusal_within(volume, bytes - 1);
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->excess.stage, stage);
+    EXPECT_EQ(error->excess.unit, Excess::Unit::bytes);
+    EXPECT_EQ(error->excess.needed, bytes);
+    EXPECT_EQ(error->excess.limit, bytes - 1);
+    EXPECT_EQ(error->finding.advice,
+              (std::vector<Advice>{Advice::raise_memory_limit, Advice::take_part}));
+    for (const std::string& part : {std::string(stage), bytes_text(bytes), bytes_text(bytes - 1)})
+      EXPECT_NE(error->finding.text.find(part), std::string::npos) << error->what();
   }
-  EXPECT_EQ(complaint_within(volume, stages.back().second), "");
+  EXPECT_FALSE(refusal_within(volume, stages.back().second));
 }
 
 TEST(MemoryBudget, SearchesForLoopsAreRefusedWhereTheSurfaceIsLarge) {
@@ -54,18 +62,20 @@ TEST(MemoryBudget, SearchesForLoopsAreRefusedWhereTheSurfaceIsLarge) {
   const std::uint64_t needed =
       loops_bytes(p.sides.lattice.vertex_count(), vertices, p.sizes.by_edge.bytes()) +
       loop_search_bytes(vertices);
-  EXPECT_NE(complaint_within(volume, needed - 1).find("'loops' needs " + bytes_text(needed)),
-            std::string::npos);
-  EXPECT_EQ(complaint_within(volume, needed), "");
+  const auto error = refusal_within(volume, needed - 1);
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->excess.stage, "loops");
+  EXPECT_EQ(error->excess.needed, needed);
+  EXPECT_FALSE(refusal_within(volume, needed));
 }
 
 TEST(MemoryBudget, WhatIsEnoughForOneThreadIsEnoughForSixteen) {
   const testing::SmallVolume volume = testing::torus({48, 48, 48});
   std::uint64_t enough = std::uint64_t{1} << 16;
   with_threads(1, [&] {
-    while (!complaint_within(volume, enough).empty()) enough += enough / 64;
+    while (refusal_within(volume, enough)) enough += enough / 64;
   });
-  EXPECT_EQ(with_threads(16, [&] { return complaint_within(volume, enough); }), "");
+  EXPECT_FALSE(with_threads(16, [&] { return refusal_within(volume, enough); }));
 }
 
 TEST(MemoryBudget, ThreadsAreAsManyAsThereIsRoomFor) {

@@ -46,7 +46,7 @@ TEST(LoopSearch, FindsALoopOfTheWantedClassFromEveryVertex) {
   double shortest = any_length;
   double longest = 0.0;
   for (std::uint32_t base = 0; base < torus.prepared.surface.points.size(); base += 13) {
-    const auto found = search.shortest(base, any_length);
+    const auto found = search.shortest(base, {any_length});
     ASSERT_TRUE(found.has_value());
     EXPECT_EQ(class_of(torus.prepared.surface, torus.classes, found->curves), (GeneratorSet{1}));
     EXPECT_EQ(found->other, (GeneratorSet{0}));
@@ -62,7 +62,7 @@ TEST(LoopSearch, FindsLoopsOfAnOwnClassThatDoNotBound) {
   LoopSearch search(torus.prepared.surface, torus.classes, Side::outside);
   search.look_for(
       {{0}, [](std::span<const std::uint32_t> other) { return other.empty() ? any_length : 0.0; }});
-  const auto found = search.shortest(5, any_length);
+  const auto found = search.shortest(5, {any_length});
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(class_of(torus.prepared.surface, torus.classes, found->curves), (GeneratorSet{1}));
 }
@@ -71,24 +71,24 @@ TEST(LoopSearch, ReturnsNothingLongerThanAllowed) {
   const Torus torus;
   LoopSearch search(torus.prepared.surface, torus.classes, Side::inside);
   search.look_for(any_handle());
-  const double length = search.shortest(0, any_length)->length;
-  EXPECT_FALSE(search.shortest(0, 0.9 * length).has_value());
+  const double length = search.shortest(0, {any_length})->length;
+  EXPECT_FALSE(search.shortest(0, {0.9 * length}).has_value());
 }
 
 TEST(LoopSearch, StaysNearACurveUntilToldOtherwise) {
   const Torus torus;
   LoopSearch search(torus.prepared.surface, torus.classes, Side::inside);
   search.look_for(any_handle());
-  const FoundLoop loop = search.shortest(0, any_length).value();
+  const FoundLoop loop = search.shortest(0, {any_length}).value();
   const Curve& curve = loop.curves.front();
   const std::uint32_t opposite = curve[curve.size() / 2];
   search.stay_near({0}, curve.size() / 4);
-  EXPECT_FALSE(search.shortest(0, any_length).has_value()) << "a disk has no handle loop";
+  EXPECT_FALSE(search.shortest(0, {any_length}).has_value()) << "a disk has no handle loop";
   search.stay_near(curve, 2);
-  const auto near = search.shortest(opposite, any_length);
+  const auto near = search.shortest(opposite, {any_length});
   ASSERT_TRUE(near.has_value());
   search.stay_near({}, 0);
-  const auto anywhere = search.shortest(opposite, any_length);
+  const auto anywhere = search.shortest(opposite, {any_length});
   ASSERT_TRUE(anywhere.has_value());
   EXPECT_LE(anywhere->length, near->length);
   EXPECT_LE(near->length, loop.length) << "the curve itself lies in the band";
@@ -100,7 +100,7 @@ TEST(LoopSearch, TellsHowFarItCame) {
   LoopSearch search(surface, torus.classes, Side::inside);
   search.look_for(any_handle());
   constexpr double longest = 12.0;
-  search.shortest(0, longest);
+  search.shortest(0, {longest});
   BoundedSearch plain;
   std::size_t reached = 0;
   plain.run(surface.graph, 0, longest / 2, [&](std::uint32_t vertex, float distance) {
@@ -119,7 +119,7 @@ TEST(LoopSearch, ReturnsNothingWhereNoClassIsWanted) {
   const Torus torus;
   LoopSearch search(torus.prepared.surface, torus.classes, Side::inside);
   search.look_for({{}, [](auto) { return 0.0; }});
-  EXPECT_FALSE(search.shortest(0, any_length).has_value());
+  EXPECT_FALSE(search.shortest(0, {any_length}).has_value());
   EXPECT_TRUE(search.shortest_of_each_class(0, {20.0, 4}).loops.empty());
 }
 

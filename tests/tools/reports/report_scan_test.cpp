@@ -13,19 +13,20 @@
 namespace isoloop {
 namespace {
 
-RunResult scanned_run() {
-  RunResult run = empty_run();
+ScanResult scanned_run() {
+  ScanResult run{empty_run()};
   const auto row = [](double iso, std::int64_t b1, std::int64_t voxels) {
     return ScanRow{iso, {1, b1, 0}, 2 - 2 * b1, b1, voxels};
   };
-  run.scan = {row(0.5, 7, 900), row(1, 2, 800), row(2, 2, 700), row(3, 2, 600), row(4, 0, 500)};
-  run.plateaus = find_plateaus(run.scan, 1000);
-  run.proposed = proposed_row(run.scan, run.plateaus);
+  run.scan.rows = {row(0.5, 7, 900), row(1, 2, 800), row(2, 2, 700), row(3, 2, 600),
+                   row(4, 0, 500)};
+  run.scan.plateaus = find_plateaus(run.scan.rows, 1000);
+  run.scan.proposed = proposed_row(run.scan.rows, run.scan.plateaus);
   return run;
 }
 
 template <class Write>
-std::string text_of(const RunResult& run, const Write& write) {
+std::string text_of(const ScanResult& run, const Write& write) {
   std::ostringstream out;
   write(out, run);
   return out.str();
@@ -41,10 +42,10 @@ TEST(ReportScan, TableHasARowForEachPlateauAndAProposal) {
 }
 
 TEST(ReportScan, TableSaysWhyNothingIsProposed) {
-  RunResult run = scanned_run();
-  run.scan.resize(1);
-  run.plateaus = find_plateaus(run.scan, 1000);
-  run.proposed = proposed_row(run.scan, run.plateaus);
+  ScanResult run = scanned_run();
+  run.scan.rows.resize(1);
+  run.scan.plateaus = find_plateaus(run.scan.rows, 1000);
+  run.scan.proposed = proposed_row(run.scan.rows, run.scan.plateaus);
   EXPECT_NE(text_of(run, write_scan_table).find("no iso value is proposed"), std::string::npos);
 }
 

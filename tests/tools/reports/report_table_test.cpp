@@ -12,9 +12,15 @@
 namespace isoloop {
 namespace {
 
-std::string table_of(const RunResult& run) {
+std::string table_of(const LoopsResult& run) {
   std::ostringstream out;
   write_table(out, run);
+  return out.str();
+}
+
+std::string count_table_of(const CountResult& run) {
+  std::ostringstream out;
+  write_count_table(out, run);
   return out.str();
 }
 
@@ -35,16 +41,15 @@ TEST(ReportTable, NamesComponentsTunnelsAndCavities) {
 }
 
 TEST(ReportTable, CountsBorderCurvesWithAnOpenBoundary) {
-  RunResult run = open_run();
+  LoopsResult run = open_run();
   const std::string table = table_of(run);
   EXPECT_NE(table.find("2 border curves"), std::string::npos) << table;
   EXPECT_NE(table.find("nontrivial on M"), std::string::npos) << table;
   EXPECT_NE(table.find("total length of 1 loop: 2.598"), std::string::npos) << table;
   EXPECT_EQ(table.find("tunnel"), std::string::npos) << table;
-  run.with_loops = false;
   run.analysis.surface.components.push_back(
       {.vertices = 6, .triangles = 8, .euler = 2, .genus = 0, .borders = 0});
-  const std::vector<std::string> lines = lines_of(table_of(run));
+  const std::vector<std::string> lines = lines_of(count_table_of(run));
   ASSERT_GE(lines.size(), 3U);
   EXPECT_TRUE(lines[lines.size() - 3].ends_with("border curves")) << lines[lines.size() - 3];
   EXPECT_TRUE(lines[lines.size() - 2].ends_with("  2")) << lines[lines.size() - 2];
@@ -52,16 +57,15 @@ TEST(ReportTable, CountsBorderCurvesWithAnOpenBoundary) {
 }
 
 TEST(ReportTable, ListsTheLargestComponentsWhereOnlyCounted) {
-  RunResult run = torus_run();
-  run.with_loops = false;
-  EXPECT_EQ(table_of(run).find("bounds"), std::string::npos);
+  LoopsResult run = torus_run();
+  EXPECT_EQ(count_table_of(run).find("bounds"), std::string::npos);
   for (int i = 0; i < 30; ++i)
     run.analysis.surface.components.push_back({.vertices = 100 + i,
                                                .triangles = 196 + 2 * i,
                                                .euler = 2,
                                                .genus = 0,
                                                .bounds_cavity = i % 2 == 1});
-  const std::vector<std::string> lines = lines_of(table_of(run));
+  const std::vector<std::string> lines = lines_of(count_table_of(run));
   const auto head = std::find_if(lines.begin(), lines.end(), [](const std::string& line) {
     return line.find("component  vertices  triangles") != std::string::npos;
   });
@@ -103,7 +107,7 @@ TEST(ReportTable, AddsUpEachKind) {
   EXPECT_NE(table.find("total length of 1 handle loop: 2.598 (as found: 2.750)\n"),
             std::string::npos)
       << table;
-  RunResult run = torus_run();
+  LoopsResult run = torus_run();
   run.tighten = Tighten::none;
   EXPECT_NE(table_of(run).find("total length of 1 tunnel loop: 10.392\n"), std::string::npos);
 }
@@ -115,7 +119,7 @@ TEST(ReportTable, EndsWithWhatWasVerified) {
 }
 
 TEST(ReportTable, SaysHowManyLoopsAFilterLeft) {
-  RunResult run = torus_run();
+  LoopsResult run = torus_run();
   run.filter.tunnels = false;
   run.reported.pop_back();
   const std::string table = table_of(run);
@@ -131,15 +135,13 @@ TEST(ReportTable, SaysWhyThereIsNoSurface) {
 }
 
 TEST(ReportTable, SaysWhenEveryVoxelIsInside) {
-  RunResult run = torus_run();
+  LoopsResult run = torus_run();
   run.level.iso = 9.0;
   EXPECT_NE(table_of(run).find("so every voxel is inside"), std::string::npos);
 }
 
 TEST(ReportTable, LeavesLoopsOutOfACount) {
-  RunResult run = torus_run();
-  run.with_loops = false;
-  const std::string table = table_of(run);
+  const std::string table = count_table_of(torus_run());
   EXPECT_EQ(table.find("certificate"), std::string::npos);
   EXPECT_EQ(table.find("verified"), std::string::npos);
 }

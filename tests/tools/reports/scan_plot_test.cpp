@@ -5,18 +5,16 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/samples/sample_run.h"
-
 namespace isoloop {
 namespace {
 
 std::string plot_of(std::vector<ScanRow> rows) {
-  RunResult run = empty_run();
-  run.scan = std::move(rows);
-  run.plateaus = find_plateaus(run.scan, 1000);
-  run.proposed = proposed_row(run.scan, run.plateaus);
+  IsoScan scan;
+  scan.rows = std::move(rows);
+  scan.plateaus = find_plateaus(scan.rows, 1000);
+  scan.proposed = proposed_row(scan.rows, scan.plateaus);
   std::ostringstream out;
-  write_scan_svg(out, run);
+  write_scan_svg(out, scan, InsideRule::above);
   return out.str();
 }
 

@@ -3,22 +3,32 @@
 #include <gtest/gtest.h>
 
 #include "core/base/errors.h"
-#include "tests/samples/sample_run.h"
 #include "tests/samples/scratch_directory.h"
 
 namespace isoloop {
 namespace {
 
-void write_name(std::ostream& out, const RunResult& run) { out << run.file; }
-void fail(std::ostream&, const RunResult&) { throw LimitExceeded("too many vertices"); }
+void write_name(std::ostream& out) { out << "torus.raw"; }
+void fail(std::ostream&) { throw LimitExceeded("too many vertices"); }
 
 TEST(OutputFiles, LeavesNothingBeforeItWrites) {
   const ScratchDirectory scratch;
   OutputFiles outputs("in.raw");
   outputs.add("--json", (scratch.path() / "a").string(), write_name);
   EXPECT_TRUE(scratch.files().empty());
-  outputs.write(torus_run());
+  outputs.write();
   EXPECT_EQ(scratch.read("a"), "torus.raw");
+}
+
+TEST(OutputFiles, ReportsTellOfTheRunAsItIsWhenTheyAreWritten) {
+  const ScratchDirectory scratch;
+  OutputFiles outputs("in.raw");
+  int run = 1;
+  const auto write = [](std::ostream& out, const int& result) { out << result; };
+  outputs.add("--json", (scratch.path() / "a").string(), report_of(run, write));
+  run = 2;
+  outputs.write();
+  EXPECT_EQ(scratch.read("a"), "2");
 }
 
 TEST(OutputFiles, WritesNoneIfOneReportFails) {
@@ -27,7 +37,7 @@ TEST(OutputFiles, WritesNoneIfOneReportFails) {
   OutputFiles outputs("in.raw");
   outputs.add("--json", (scratch.path() / "a").string(), write_name);
   outputs.add("--ply", (scratch.path() / "b").string(), fail);
-  EXPECT_THROW(outputs.write(torus_run()), LimitExceeded);
+  EXPECT_THROW(outputs.write(), LimitExceeded);
   EXPECT_EQ(scratch.files(), std::vector<std::string>{"a"});
   EXPECT_EQ(scratch.read("a"), "old");
 }

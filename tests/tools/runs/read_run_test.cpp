@@ -23,7 +23,7 @@ TEST(ReadRun, SettlesVolumeRangeAndLevel) {
   const ScratchDirectory scratch;
   scratch.write("x.raw", std::string("\1\2\3\4", 4));
   const std::string file = (scratch.path() / "x.raw").string();
-  const RunResult run = read_run(raw_flags(file, "2 2 1"), {.iso = "2.5", .inside = "below"});
+  const RunInput run = read_run(raw_flags(file, "2 2 1"), {.iso = "2.5", .inside = "below"});
   EXPECT_EQ(run.file, file);
   EXPECT_EQ(run.volume.dims, (Index3{2, 2, 1}));
   EXPECT_EQ(run.volume.spacing, (Vec3{0.5, 0.5, 0.5}));

@@ -39,6 +39,15 @@ TEST(ExitCode, SentenceIsOneLineWithoutFullStop) {
   EXPECT_EQ(failure.sentence, "one two");
 }
 
+TEST(ExitCode, TheSentenceSaysWhatToDoInTheFlagsOfTheCommand) {
+  const auto error = std::make_exception_ptr(LimitExceeded(
+      {.text = "too much", .advice = {Advice::raise_memory_limit, Advice::take_part}}));
+  EXPECT_EQ(failure_of(error, "count").sentence,
+            "too much; raise --max-memory or read a part of the volume (--crop)");
+  EXPECT_EQ(failure_of(error, "repair").sentence,
+            "too much; raise --max-memory or crop the volume");
+}
+
 TEST(ExitCode, AnImpossibleVectorIsOutOfMemory) {
   try {
     std::vector<double> v;

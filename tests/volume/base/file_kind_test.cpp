@@ -1,5 +1,8 @@
 #include "volume/base/file_kind.h"
 
+#include <set>
+#include <string>
+
 #include <gtest/gtest.h>
 
 namespace isoloop {
@@ -14,8 +17,9 @@ TEST(FileKind, GoesByTheExtensionWhateverItsCase) {
   EXPECT_EQ(file_kind("b.PNG"), FileKind::png);
   EXPECT_EQ(file_kind("b.bmp"), FileKind::bmp);
   EXPECT_EQ(file_kind("b.mhd"), FileKind::meta_image);
+  EXPECT_EQ(file_kind("b.Stl"), FileKind::stl);
+  EXPECT_FALSE(file_kind(".stl"));
   EXPECT_FALSE(file_kind("a/b.raw.gz"));
-  EXPECT_FALSE(file_kind("a/b.stl"));
   EXPECT_FALSE(file_kind("a.raw/b"));
   EXPECT_FALSE(file_kind(""));
 }
@@ -24,6 +28,34 @@ TEST(FileKind, IsWrittenAsOneFileOnly) {
   for (const char* name : {"a.raw", "a.NRRD", "a.vdb"}) EXPECT_TRUE(is_written(name)) << name;
   for (const char* name : {"a.nhdr", "a.nii", "a.npy", "a.txt", "nrrd", ""})
     EXPECT_FALSE(is_written(name)) << name;
+}
+
+TEST(FileFormats, AreOneForEachKindWithExtensionsOfTheirOwn) {
+  std::set<FileKind> kinds;
+  std::set<std::string_view> extensions;
+  for (const FileFormat& format : file_formats()) {
+    EXPECT_TRUE(kinds.insert(format.kind).second) << format.name;
+    for (const std::string_view extension : format.extensions) {
+      if (extension.empty()) continue;
+      EXPECT_TRUE(extensions.insert(extension).second) << extension;
+      EXPECT_EQ(file_format("a" + std::string(extension)), &format) << extension;
+    }
+  }
+}
+
+TEST(FileFormats, ListsNameEveryExtension) {
+  EXPECT_EQ(written_extensions(), ".raw, .nrrd or .vdb");
+  EXPECT_EQ(mesh_extensions(), ".stl, .ply, .obj and .off");
+  for (const FileFormat& format : file_formats()) {
+    const std::string list = format.is_mesh ? mesh_extensions() : supported_extensions();
+    for (const std::string_view extension : format.extensions)
+      EXPECT_NE(list.find(extension), std::string::npos) << extension;
+  }
+}
+
+TEST(FileFormats, ExtensionsKeepThatOfPackedFiles) {
+  EXPECT_EQ(extension_of("a/b.NII.gz"), ".nii.gz");
+  EXPECT_EQ(extension_of("a.b/c.Raw"), ".raw");
 }
 
 }  // namespace

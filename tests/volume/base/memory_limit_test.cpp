@@ -32,13 +32,17 @@ TEST(MemoryLimit, AllowsTheLimitItselfAndNotAByteMore) {
   EXPECT_THROW(check_voxel_memory({10, 10, 10}, 4, 3999, "f"), LimitExceeded);
 }
 
-TEST(MemoryLimit, SaysTheFigureTheLimitAndTheFlag) {
-  const std::string message = test::message_of<LimitExceeded>([] {
+TEST(MemoryLimit, SaysTheFigureAndTheLimitAndKeepsThemAsData) {
+  const auto error = test::error_of<LimitExceeded>([] {
     check_voxel_memory({1024, 1024, 1024}, 4, std::uint64_t{1} << 31, "big.raw");
   });
-  for (const char* part : {"big.raw", "1024 x 1024 x 1024", "4.0 GiB", "2.0 GiB", "--max-memory"}) {
-    EXPECT_TRUE(test::contains(message, part)) << message;
+  for (const char* part : {"big.raw", "1024 x 1024 x 1024", "4.0 GiB", "2.0 GiB"}) {
+    EXPECT_TRUE(test::contains(error.what(), part)) << error.what();
   }
+  EXPECT_EQ(error.excess.unit, Excess::Unit::bytes);
+  EXPECT_EQ(error.excess.needed, std::uint64_t{1} << 32);
+  EXPECT_EQ(error.excess.limit, std::uint64_t{1} << 31);
+  EXPECT_TRUE(test::advises(error.finding, Advice::raise_memory_limit));
 }
 
 TEST(MemoryLimit, ZeroStandsForMostOfTheAvailableMemory) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "tests/samples/npy_samples.h"
 #include "tests/samples/nrrd_samples.h"
 #include "tests/samples/volume_test_files.h"
+#include "volume/base/file_kind.h"
 #include "volume/files/read.h"
 
 namespace isoloop {
@@ -85,6 +87,13 @@ TEST(Patch, ReplacesTheVoxelsThatAreListedAndKeepsEveryOtherByte) {
       changed += out.str()[i] != sample.bytes[i] ? 1 : 0;
     EXPECT_EQ(changed, 2 * listed.size()) << sample.name;
   }
+}
+
+TEST(Patch, FormatsThatMayBePatchedAreThoseOfTheSamples) {
+  std::set<FileKind> patched;
+  for (const Sample& sample : samples()) patched.insert(file_format(sample.name)->kind);
+  for (const FileFormat& format : file_formats())
+    EXPECT_EQ(format.may_be_patched, patched.contains(format.kind)) << format.name;
 }
 
 TEST(Patch, NothingListedIsTheSameFile) {

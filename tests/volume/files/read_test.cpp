@@ -79,16 +79,18 @@ TEST(ReadVolume, AnUnreadableFileIsRefusedByName) {
   EXPECT_TRUE(contains(message_of<InvalidInput>([&] { read_volume(path); }), path.string()));
 }
 
-TEST(ReadVolume, RefusesNanNamingTheFirstVoxelAndTheFlag) {
+TEST(ReadVolume, RefusesNanNamingTheFirstVoxelAndTheWayOut) {
   const TempFolder folder;
   const auto path = folder / "a_3x2x2_float32.raw";
   std::vector<float> values(12, 1.0F);
   values[1 + 3 * (0 + 2 * 1)] = std::numeric_limits<float>::quiet_NaN();
   values[11] = -std::numeric_limits<float>::quiet_NaN();
   write_bytes(path, bytes_of(values));
-  const std::string message = message_of<InvalidInput>([&] { read_volume(path); });
-  EXPECT_TRUE(contains(message, "(1, 0, 1)")) << message;
-  EXPECT_TRUE(contains(message, "--nan-as VALUE")) << message;
+  const auto error = test::error_of<InvalidInput>([&] { read_volume(path); });
+  EXPECT_EQ(error.fault, Fault::not_finite);
+  EXPECT_EQ(error.finding.file, path.string());
+  EXPECT_EQ(error.finding.place, "voxel (1, 0, 1)");
+  EXPECT_TRUE(test::advises(error.finding, Advice::replace_nan));
 }
 
 TEST(ReadVolume, ReplacesEveryNanAndNothingElse) {

@@ -105,7 +105,7 @@ TEST_F(Dicom, AMissingSliceIsWarnedOfWhereTheSpacingIsGiven) {
   EXPECT_EQ(volume.spacing, (Vec3{1, 1, 2}));
   EXPECT_EQ(volume.unit, "");
   ASSERT_EQ(volume.warnings.size(), 1U);
-  EXPECT_TRUE(contains(volume.warnings[0], "a slice is missing")) << volume.warnings[0];
+  EXPECT_TRUE(contains(volume.warnings[0].text, "a slice is missing")) << volume.warnings[0].text;
 }
 
 TEST_F(Dicom, SlicesWithoutTheirFirstBytesAreRead) {
@@ -147,7 +147,7 @@ TEST_F(Dicom, SlicesAreFoundInSubFolders) {
   const Volume volume = read();
   EXPECT_EQ(volume.dims, (Index3{3, 2, 4}));
   EXPECT_EQ(volume.unit, "mm");
-  EXPECT_TRUE(contains(volume.notes.at(0), "IMAGES"));
+  EXPECT_TRUE(contains(volume.notes.at(0).text, "IMAGES"));
   write_bytes(folder_ / "IMAGES/0/4", dicom_slice_at(4).file().substr(0, 100));
   EXPECT_TRUE(contains(refusal(), "cut short"));
 }
@@ -166,15 +166,18 @@ TEST_F(Dicom, UnevenDistancesAreWarnedOf) {
   write("8", moved);
   const Volume volume = read();
   ASSERT_EQ(volume.warnings.size(), 1U);
-  EXPECT_TRUE(contains(volume.warnings[0], "1.9 to 2.1"));
+  EXPECT_TRUE(contains(volume.warnings[0].text, "1.9 to 2.1"));
 }
 
 TEST_F(Dicom, OfSeveralSeriesOneIsChosen) {
   write_series("a");
   write_series("b", "1.2.34");
-  const std::string message = message_of<InvalidArgument>([&] { read(); });
+  const auto error = test::error_of<InvalidArgument>([&] { read(); });
+  const std::string message = error.what();
+  EXPECT_EQ(error.option, Option::series);
   EXPECT_TRUE(contains(message, "1.2.3 (") && contains(message, "1.2.34 (")) << message;
-  EXPECT_TRUE(contains(message, "--series") && contains(message, "4 slices")) << message;
+  EXPECT_TRUE(test::advises(error.finding, Advice::choose_series) && contains(message, "4 slices"))
+      << message;
   EXPECT_EQ(read({.series = "1.2.3"}).dims[2], 4);
   EXPECT_EQ(read({.series = ".34"}).dims[2], 4);
   EXPECT_THROW(read({.series = "Head"}), InvalidArgument);
@@ -189,7 +192,7 @@ TEST_F(Dicom, SeveralSlicesAtEachPlaceAreFrames) {
     slice.pixels[0] = 77;
     write(std::string("b").append(std::to_string(z)), slice);
   }
-  EXPECT_TRUE(contains(message_of<InvalidArgument>([&] { read(); }), "--frame 0 to 1"));
+  EXPECT_EQ(test::error_of<InvalidArgument>([&] { read(); }).option, Option::frame);
   EXPECT_EQ(std::get<std::vector<std::int16_t>>(read({.frame = 0}).values)[0], 0);
   EXPECT_EQ(std::get<std::vector<std::int16_t>>(read({.frame = 1}).values)[0], 77);
   std::filesystem::remove(folder_ / "b0");
@@ -204,7 +207,7 @@ TEST_F(Dicom, RescalingGivesHounsfieldUnits) {
   write("one", slice);
   const Volume volume = read();
   EXPECT_EQ(std::get<std::vector<std::int16_t>>(volume.values)[5], -1019);
-  EXPECT_TRUE(contains(volume.notes.at(0), "-1024"));
+  EXPECT_TRUE(contains(volume.notes.at(0).text, "-1024"));
   slice.slope = "0.5";
   write("one", slice);
   EXPECT_EQ(std::get<std::vector<float>>(read().values)[5], -1021.5F);
@@ -248,7 +251,7 @@ TEST_F(Dicom, WhatIsNoSliceOfNumbersIsRefusedByName) {
   EXPECT_TRUE(contains(refusal_of({.spacing = "1"}), "1 numbers where 2"));
   EXPECT_TRUE(contains(refusal_of({.spacing = "1\\-1"}), "length of 1"));
   EXPECT_TRUE(contains(refusal_of({.spacing = "1\\x"}), "numbers should be"));
-  EXPECT_TRUE(contains(refusal_of({.position = ""}), "--spacing"));
+  EXPECT_TRUE(contains(refusal_of({.position = ""}), "with a stated spacing"));
   EXPECT_TRUE(contains(refusal_of({.syntax = "1.2.840.10008.1.2.1.99"}), "deflated"));
   EXPECT_TRUE(contains(refusal_of({.after = "garbage that is no element"}), "element"));
   EXPECT_NO_THROW(write("one", {.after = std::string(100, '\0')}); read_dicom(folder_ / "one"));
@@ -257,8 +260,9 @@ TEST_F(Dicom, WhatIsNoSliceOfNumbersIsRefusedByName) {
   packed += std::string("\xe0\x7f\x10\0OB\0\0\xff\xff\xff\xff", 12);
   packed += std::string("\xfe\xff\0\xe0\2\0\0\0ab\xfe\xff\xdd\xe0\0\0\0\0", 18);
   write_bytes(folder_ / "one", packed);
-  EXPECT_TRUE(
-      contains(message_of<InvalidInput>([&] { read_dicom(folder_ / "one"); }), "gdcmconv --raw"));
+  const auto error = test::error_of<InvalidInput>([&] { read_dicom(folder_ / "one"); });
+  EXPECT_EQ(error.fault, Fault::unsupported);
+  EXPECT_TRUE(test::advises(error.finding, Advice::unpack_slices));
 }
 
 TEST_F(Dicom, SlicesWithoutPlacesAreReadWhenTheSpacingIsGiven) {
@@ -289,9 +293,10 @@ TEST_F(Dicom, ABombIsRefusedBeforeMemoryIsAskedFor) {
 
 TEST_F(Dicom, KeepsToItsLimits) {
   write_series();
-  EXPECT_TRUE(contains(
-      message_of<LimitExceeded>([&] { read_dicom(folder_.path(), {}, {.max_bytes = 47}); }),
-      "--max-memory"));
+  EXPECT_EQ(test::error_of<LimitExceeded>([&] {
+              read_dicom(folder_.path(), {}, {.max_bytes = 47});
+            }).excess.needed,
+            48U);
   EXPECT_NO_THROW(read_dicom(folder_.path(), {}, {.max_bytes = 48}));
   EXPECT_THROW(read_dicom(folder_.path(), {}, {.max_bytes = 0, .max_voxels = 23}), LimitExceeded);
 }
@@ -302,7 +307,7 @@ TEST(DicomData, ReadsTheBrain) {
   EXPECT_EQ(brain.dims, (Index3{256, 256, 20}));
   EXPECT_NEAR(brain.spacing[2], 7.0, 0.001);
   ASSERT_EQ(brain.warnings.size(), 1U);
-  EXPECT_TRUE(contains(brain.warnings[0], "6.95834 to 7.07088"));
+  EXPECT_TRUE(contains(brain.warnings[0].text, "6.95834 to 7.07088"));
 }
 
 }  // namespace

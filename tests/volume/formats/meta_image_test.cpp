@@ -84,7 +84,7 @@ TEST_F(MetaImage, NoFileCutShortIsRead) {
   std::string unended = meta_image_header("", "cut.raw");
   unended.pop_back();
   write_bytes(detached, unended);
-  EXPECT_TRUE(contains(read_meta_image(detached).warnings.at(0), "no end"));
+  EXPECT_TRUE(contains(read_meta_image(detached).warnings.at(0).text, "no end"));
   write_bytes(detached, meta_image_header("", "cut.raw"));
   test::expect_no_beginning_is_read(folder_ / "cut.raw", dozen_voxels(Endian::little),
                                     [&] { read_meta_image(detached); });
@@ -98,7 +98,8 @@ TEST_F(MetaImage, AWrongCompressedSizeIsSaidWhereTheChecksumProvesTheVoxels) {
   const Volume volume = read(stating("5"));
   EXPECT_EQ(volume.values, with("").values);
   ASSERT_EQ(volume.warnings.size(), 1U);
-  EXPECT_TRUE(contains(volume.warnings[0], "states 5 compressed bytes")) << volume.warnings[0];
+  EXPECT_TRUE(contains(volume.warnings[0].text, "states 5 compressed bytes"))
+      << volume.warnings[0].text;
   EXPECT_TRUE(read(stating(std::to_string(packed.size()))).warnings.empty());
   EXPECT_THROW(read(stating("5") + "x"), InvalidInput);
   test::expect_no_beginning_is_read(folder_ / "a.mha", stating("5"),
@@ -170,7 +171,7 @@ TEST_F(MetaImage, ABombIsRefusedBeforeMemoryIsAskedFor) {
       "NDims = 3\nBinaryData = True\nCompressedData = True\nDimSize = 99999 99999 99999\n"
       "ElementType = MET_DOUBLE\nElementDataFile = LOCAL\n" +
       test::zlib_bytes("tiny");
-  EXPECT_TRUE(contains(message_of<LimitExceeded>([&] { read(file); }), "--max-memory"));
+  EXPECT_EQ(test::error_of<LimitExceeded>([&] { read(file); }).excess.unit, Excess::Unit::bytes);
   EXPECT_THROW(read(file, {}, {.max_bytes = ~std::uint64_t{0}}), InvalidInput);
 }
 

@@ -119,13 +119,14 @@ TEST(RawReader, RefusesAFileOneByteLong) {
   EXPECT_THROW(read_raw(path, {}), InvalidInput);
 }
 
-TEST(RawReader, SaysExpectedAndFoundBytesAndTheFlags) {
+TEST(RawReader, SaysExpectedAndFoundBytesAndWhatToCheck) {
   const TempFolder folder;
   const auto path = folder / "a_3x4x5_int16.raw";
   write_bytes(path, std::string(119, '\7'));
-  const std::string message = message_of<InvalidInput>([&] { read_raw(path, {.skip = 2}); });
-  for (const char* part :
-       {"a_3x4x5_int16.raw", "119", "122", "3 x 4 x 5", "int16", "--dims", "--type", "--skip"}) {
+  const auto error = test::error_of<InvalidInput>([&] { read_raw(path, {.skip = 2}); });
+  const std::string message = error.what();
+  EXPECT_TRUE(test::advises(error.finding, Advice::check_raw_layout));
+  for (const char* part : {"a_3x4x5_int16.raw", "119", "122", "3 x 4 x 5", "int16"}) {
     EXPECT_TRUE(contains(message, part)) << part << " in " << message;
   }
 }
@@ -134,11 +135,11 @@ TEST(RawReader, AsksForTheLayoutThatNothingStates) {
   const TempFolder folder;
   const auto path = folder / "a.raw";
   write_bytes(path, "abcd");
-  EXPECT_TRUE(contains(message_of<InvalidArgument>([&] { read_raw(path, {}); }), "--dims"));
-  EXPECT_TRUE(contains(message_of<InvalidArgument>([&] {
-                         read_raw(path, {.dims = Index3{4, 1, 1}});
-                       }),
-                       "--type"));
+  EXPECT_EQ(test::error_of<InvalidArgument>([&] { read_raw(path, {}); }).option, Option::dims);
+  EXPECT_EQ(test::error_of<InvalidArgument>([&] {
+              read_raw(path, {.dims = Index3{4, 1, 1}});
+            }).option,
+            Option::voxel_type);
   EXPECT_NO_THROW(read_raw(path, {.dims = Index3{4, 1, 1}, .type = VoxelType::int8}));
 }
 

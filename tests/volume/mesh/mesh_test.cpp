@@ -158,9 +158,11 @@ TEST(MeshReader, GoesByTheExtensionAndKeepsToItsLimit) {
   EXPECT_TRUE(is_mesh(folder / "a.OFF"));
   EXPECT_FALSE(is_mesh(folder / "a.vdb"));
   EXPECT_EQ(read_mesh(folder / "a.OFF").triangles.size(), 12U);
-  const std::string message =
-      message_of<LimitExceeded>([&] { read_mesh(folder / "a.OFF", bytes.size() * 15); });
-  EXPECT_TRUE(contains(message, "--max-memory")) << message;
+  const auto error =
+      test::error_of<LimitExceeded>([&] { read_mesh(folder / "a.OFF", bytes.size() * 15); });
+  EXPECT_TRUE(test::advises(error.finding, Advice::raise_memory_limit));
+  EXPECT_EQ(error.excess.needed, bytes.size() * 16);
+  EXPECT_EQ(error.excess.limit, bytes.size() * 15);
   EXPECT_THROW(read_mesh(folder / "none.stl"), InvalidInput);
 }
 

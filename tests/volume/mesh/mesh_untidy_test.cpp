@@ -42,7 +42,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 void expect_tidy(const std::string& bytes, MeshFormat format, const char* how) {
   const Mesh mesh = parse(bytes, format);
   EXPECT_EQ(mesh.triangles.size(), sample().triangles.size()) << how;
-  EXPECT_TRUE(mesh.warnings.empty()) << how << ": " << mesh.warnings.front();
+  EXPECT_TRUE(mesh.warnings.empty()) << how << ": " << mesh.warnings.front().text;
 }
 
 /// Reads as the sample, with one warning that holds `part`.
@@ -50,7 +50,7 @@ void expect_warning(const std::string& bytes, MeshFormat format, const std::stri
   const Mesh mesh = parse(bytes, format);
   EXPECT_EQ(mesh.triangles.size(), sample().triangles.size()) << part;
   ASSERT_EQ(mesh.warnings.size(), 1U) << part;
-  EXPECT_TRUE(contains(mesh.warnings[0], part)) << mesh.warnings[0];
+  EXPECT_TRUE(contains(mesh.warnings[0].text, part)) << mesh.warnings[0].text;
 }
 
 TEST(UntidyMesh, LinesEndAsOnAnySystem) {
@@ -214,7 +214,7 @@ TEST(UntidyMesh, OffPointsMayCarryMoreThanTheirPlace) {
     EXPECT_EQ(parse(text, MeshFormat::off).triangles.size(), 4U) << text;
     EXPECT_TRUE(parse(text, MeshFormat::off).warnings.empty()) << text;
   }
-  EXPECT_TRUE(contains(parse(file("OFF\n4 4 0\n", " 1 0 0"), MeshFormat::off).warnings.at(0),
+  EXPECT_TRUE(contains(parse(file("OFF\n4 4 0\n", " 1 0 0"), MeshFormat::off).warnings.at(0).text,
                        "three numbers"));
   for (const char* head :
        {"4OFF\n4 4 0\n", "nOFF\n4 4 0\n", "OFF BINARY\n4 4 0\n", "OFFX\n4 4\n"}) {
@@ -223,7 +223,7 @@ TEST(UntidyMesh, OffPointsMayCarryMoreThanTheirPlace) {
   const Mesh small =
       parse(replaced(file("OFF\n4 6 0\n", ""), "3 0 2 1", "2 0 1\n1 2\n3 0 2 1"), MeshFormat::off);
   EXPECT_EQ(small.triangles.size(), 4U);
-  EXPECT_TRUE(contains(small.warnings.at(0), "2 faces of fewer than three corners"));
+  EXPECT_TRUE(contains(small.warnings.at(0).text, "2 faces of fewer than three corners"));
 }
 
 TEST(UntidyMesh, PlyMayHoldWhatIsNoSurface) {
@@ -247,7 +247,8 @@ TEST(UntidyMesh, PlyMayHoldWhatIsNoSurface) {
   }
   EXPECT_THROW(parse(file("float", "int", "1"), MeshFormat::ply_ascii), InvalidInput);
   const std::string small = replaced(file("uchar", "int", "1"), "7 3 0 2 1", "7 2 0 1");
-  EXPECT_TRUE(contains(parse(small, MeshFormat::ply_ascii).warnings.at(0), "1 faces of fewer"));
+  EXPECT_TRUE(
+      contains(parse(small, MeshFormat::ply_ascii).warnings.at(0).text, "1 faces of fewer"));
   const std::string strips =
       replaced(file("uchar", "int", "1"), "element edge", "element tristrips");
   EXPECT_TRUE(contains(message_of<InvalidInput>([&] { parse(strips, MeshFormat::ply_ascii); }),
@@ -259,7 +260,7 @@ TEST(UntidyMesh, WhatWasAssumedIsSaidOfTheVolume) {
   text.pop_back();
   const Volume volume = voxelize(parse(text, MeshFormat::obj), {.resolution = 9}, {}, "a.obj");
   ASSERT_FALSE(volume.warnings.empty());
-  EXPECT_TRUE(contains(volume.warnings[0], "last line has no end"));
+  EXPECT_TRUE(contains(volume.warnings[0].text, "last line has no end"));
 }
 
 TEST(UntidyMeshData, FilesWithoutALastEndAndWithAWrongCountAreRead) {

@@ -51,9 +51,10 @@ TEST(MeshWeld, CornersThatDifferInTheirLastBitsAreOne) {
   EXPECT_EQ(mesh.triangles.size(), torus.triangles.size());
   EXPECT_EQ(points_in_triangles(mesh), torus.points.size());
   ASSERT_EQ(mesh.warnings.size(), 1U);
-  EXPECT_TRUE(contains(mesh.warnings[0], "4000 corners at open edges lie within 1.1"))
-      << mesh.warnings[0];
-  EXPECT_TRUE(contains(mesh.warnings[0], "closes 4800 of 4800 open edges")) << mesh.warnings[0];
+  EXPECT_TRUE(contains(mesh.warnings[0].text, "4000 corners at open edges lie within 1.1"))
+      << mesh.warnings[0].text;
+  EXPECT_TRUE(contains(mesh.warnings[0].text, "closes 4800 of 4800 open edges"))
+      << mesh.warnings[0].text;
 }
 
 TEST(MeshWeld, CornersThatAreFartherApartStayTwo) {

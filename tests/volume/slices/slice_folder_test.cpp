@@ -66,9 +66,9 @@ TEST_F(SliceFolder, OneWarningNamesWhatIsNoSlice) {
   std::filesystem::create_directory(folder_ / "more");
   const Volume volume = read();
   ASSERT_EQ(volume.warnings.size(), 2U);
-  EXPECT_TRUE(contains(volume.warnings[0], "after 2 comes 4")) << volume.warnings[0];
+  EXPECT_TRUE(contains(volume.warnings[0].text, "after 2 comes 4")) << volume.warnings[0].text;
   for (const char* kind : {"Thumbs.db", ".DS_Store", "2 .log files", ".hidden.png", "1 folder"}) {
-    EXPECT_TRUE(contains(volume.warnings[1], kind)) << volume.warnings[1];
+    EXPECT_TRUE(contains(volume.warnings[1].text, kind)) << volume.warnings[1].text;
   }
 }
 
@@ -97,7 +97,7 @@ TEST_F(SliceFolder, ThePictureOfAScannersSettingsIsNoSlice) {
   const Volume volume = read();
   EXPECT_EQ(volume.dims[2], 3);
   ASSERT_EQ(volume.warnings.size(), 1U);
-  EXPECT_TRUE(contains(volume.warnings[0], "a_rec_spr.bmp"));
+  EXPECT_TRUE(contains(volume.warnings[0].text, "a_rec_spr.bmp"));
 }
 
 TEST_F(SliceFolder, TheScannersLogStatesTheSpacing) {
@@ -109,19 +109,19 @@ TEST_F(SliceFolder, TheScannersLogStatesTheSpacing) {
   EXPECT_EQ(volume.spacing, (Vec3{13.6, 13.6, 13.6}));
   EXPECT_EQ(volume.unit, "µm");
   EXPECT_TRUE(volume.warnings.empty());
-  EXPECT_TRUE(contains(volume.notes.at(0), "a.log"));
+  EXPECT_TRUE(contains(volume.notes.at(0).text, "a.log"));
   write_bytes(folder_ / "a_rec.log",
               "[Acquisition]\nImage Pixel Size (um)=13.60\n[Reconstruction]\nPixel Size (um)=13.5\n"
               "Section to Section Step=2\n[File name convention]\nPixel Size (um)=1\n");
   volume = read();
   EXPECT_EQ(volume.spacing, (Vec3{13.5, 13.5, 27}));
   ASSERT_EQ(volume.warnings.size(), 1U);
-  EXPECT_TRUE(contains(volume.warnings[0], "a.log"));
+  EXPECT_TRUE(contains(volume.warnings[0].text, "a.log"));
   write_bytes(folder_ / "b_rec.log", "[Reconstruction]\nPixel Size (um)=4\n");
   volume = read();
   EXPECT_EQ(volume.spacing, (Vec3{1, 1, 1}));
   EXPECT_EQ(volume.unit, "");
-  EXPECT_TRUE(contains(volume.warnings.at(0), "a_rec.log and b_rec.log state different"));
+  EXPECT_TRUE(contains(volume.warnings.at(0).text, "a_rec.log and b_rec.log state different"));
   volume = read({.spacing = Vec3{1, 1, 2}});
   EXPECT_EQ(volume.spacing, (Vec3{1, 1, 2}));
   EXPECT_EQ(volume.unit, "");

@@ -20,6 +20,8 @@ using Planes = std::vector<int>;
 
 const std::string imagej = "ImageJ=1.53\n";
 
+using Advices = std::vector<Advice>;
+
 class TiffAxes : public ::testing::Test {
  protected:
   std::string bytes_of(int pages, const std::string& description, float per_unit = 0.0F) const {
@@ -44,6 +46,9 @@ class TiffAxes : public ::testing::Test {
   std::string choice(const std::string& bytes, const FormatOptions& options = {}) const {
     return message_of<InvalidArgument>([&] { read(bytes, options); });
   }
+  std::vector<Advice> advice(const std::string& bytes, const FormatOptions& options = {}) const {
+    return test::error_of<InvalidArgument>([&] { read(bytes, options); }).finding.advice;
+  }
   std::string refusal(int pages, const std::string& description) const {
     return message_of<InvalidInput>([&] { read(bytes_of(pages, description)); });
   }
@@ -52,28 +57,30 @@ class TiffAxes : public ::testing::Test {
 
 TEST_F(TiffAxes, ImageJStatesChannelsSlicesAndFramesTheFirstFastest) {
   const std::string file = bytes_of(12, imagej + "images=12\nchannels=2\nslices=3\nframes=2\n");
-  EXPECT_TRUE(contains(choice(file),
-                       "holds 2 channels, 3 slices, 2 frames: choose with --channel 0 ... 1 and "
-                       "--frame 0 ... 1"))
-      << choice(file);
-  EXPECT_TRUE(contains(choice(file, {.frame = 0}), "choose with --channel 0 ... 1"));
+  EXPECT_TRUE(contains(choice(file), "holds 2 channels, 3 slices, 2 frames")) << choice(file);
+  EXPECT_EQ(advice(file), Advices{Advice::choose_frame_and_channel});
+  EXPECT_EQ(advice(file, {.frame = 0}), Advices{Advice::choose_channel});
+  EXPECT_EQ(advice(file, {.channel = 0}), Advices{Advice::choose_frame});
   EXPECT_EQ(planes(file, {.frame = 0, .channel = 0}), (Planes{0, 2, 4}));
   EXPECT_EQ(planes(file, {.frame = 1, .channel = 1}), (Planes{7, 9, 11}));
-  EXPECT_TRUE(contains(choice(file, {.frame = 2, .channel = 0}), "has no frame 2"));
-  EXPECT_TRUE(contains(choice(file, {.frame = 0, .channel = 2}), "has no channel 2"));
+  EXPECT_TRUE(contains(choice(file, {.frame = 2, .channel = 0}),
+                       "the frame counts from 0 to 1: there is no 2"));
+  EXPECT_TRUE(contains(choice(file, {.frame = 0, .channel = 2}),
+                       "the channel counts from 0 to 1: there is no 2"));
 }
 
 TEST_F(TiffAxes, OneChannelNeedsNoChoice) {
   const std::string file = bytes_of(3, imagej + "images=3\nslices=3\n");
   EXPECT_EQ(planes(file), (Planes{0, 1, 2}));
   EXPECT_EQ(planes(file, {.frame = 0, .channel = 0}), (Planes{0, 1, 2}));
-  EXPECT_TRUE(contains(choice(file, {.channel = 1}), "has no channel 1"));
+  EXPECT_TRUE(
+      contains(choice(file, {.channel = 1}), "the channel counts from 0 to 0: there is no 1"));
 }
 
 TEST_F(TiffAxes, FramesOfOneSliceAreSlicesUnlessOneIsAskedFor) {
   const std::string file = bytes_of(3, imagej + "images=3\nframes=3\n");
   EXPECT_EQ(planes(file), (Planes{0, 1, 2}));
-  EXPECT_TRUE(contains(read(file).notes.at(0), "3 frames of one slice"));
+  EXPECT_TRUE(contains(read(file).notes.at(0).text, "3 frames of one slice"));
   EXPECT_EQ(planes(file, {.frame = 2}), (Planes{2}));
 }
 
@@ -83,25 +90,25 @@ TEST_F(TiffAxes, DescriptionsThatContradictThePagesAreRefusedOrWarnedOf) {
   EXPECT_TRUE(contains(refusal(2, imagej + "images=2\nslices=99999999999\n"), "slices="));
   const Volume more = read(bytes_of(4, imagej + "images=2\nslices=2\n"));
   EXPECT_EQ(more.dims[2], 4);
-  EXPECT_TRUE(contains(more.warnings.at(0), "2 slices, but it holds 4 pages"));
+  EXPECT_TRUE(contains(more.warnings.at(0).text, "2 slices, but it holds 4 pages"));
 }
 
 TEST_F(TiffAxes, ShapedFilesOfFourDimensionsAreChosenByEitherFlag) {
   const std::string file = bytes_of(6, R"({"shape": [2, 3, 4, 5]})");
-  EXPECT_TRUE(contains(choice(file),
-                       "holds 2 volumes (an axis without a name), 3 slices: choose "
-                       "with --frame 0 ... 1 or --channel 0 ... 1"))
+  EXPECT_TRUE(contains(choice(file), "holds 2 volumes (an axis without a name), 3 slices"))
       << choice(file);
+  EXPECT_EQ(advice(file), (Advices{Advice::choose_frame, Advice::choose_channel}));
   EXPECT_EQ(planes(file, {.frame = 1}), (Planes{3, 4, 5}));
   EXPECT_EQ(planes(file, {.channel = 1}), (Planes{3, 4, 5}));
-  EXPECT_TRUE(contains(choice(file, {.frame = 0, .channel = 0}), "not with both"));
+  EXPECT_TRUE(contains(choice(file, {.frame = 0, .channel = 0}), "not two"));
 }
 
 TEST_F(TiffAxes, ShapedFilesMayNameTheirAxes) {
   const std::string file = bytes_of(12, R"({"shape": [2, 3, 2, 4, 5], "axes": "TZCYX"})");
   EXPECT_EQ(planes(file, {.frame = 1, .channel = 1}), (Planes{7, 9, 11}));
   const std::string odd = bytes_of(8, R"({"shape": [2, 2, 2, 4, 5], "axes": "TQZYX"})");
-  EXPECT_TRUE(contains(choice(odd, {.frame = 1}), "choose with --channel 0 ... 1"));
+  EXPECT_EQ(advice(odd), Advices{Advice::choose_frame_and_channel});
+  EXPECT_EQ(advice(odd, {.frame = 1}), Advices{Advice::choose_channel});
   EXPECT_EQ(planes(odd, {.frame = 1, .channel = 1}), (Planes{6, 7}));
   EXPECT_TRUE(contains(refusal(8, R"({"shape": [2, 2, 2, 4, 5]})"), "2 x 2 x 2 planes"));
 }
@@ -114,7 +121,7 @@ TEST_F(TiffAxes, ShapedFilesOfOneVolumeAreReadAsTheyAre) {
   EXPECT_EQ(planes(bytes_of(4, R"({"shape": [2, 4, 5]})"), {.frame = 1}), (Planes{2, 3}));
   const Volume other = read(bytes_of(2, R"({"shape": [2, 9, 9]})"));
   EXPECT_EQ(other.dims[2], 2);
-  EXPECT_TRUE(contains(other.warnings.at(0), "not that of its pages"));
+  EXPECT_TRUE(contains(other.warnings.at(0).text, "not that of its pages"));
   EXPECT_TRUE(contains(refusal(3, R"({"shape": [2, 4, 5]})"), "states 2 planes"));
   EXPECT_TRUE(contains(refusal(3, R"({"shape": [-2, 4, 5]})"), "shape that is none"));
 }
@@ -123,7 +130,8 @@ TEST_F(TiffAxes, OmeStatesTheOrderOfItsPlanes) {
   for (const auto& [order, second] : std::vector<std::pair<std::string, Planes>>{
            {"XYCZT", {1, 4}}, {"XYZCT", {2, 3}}, {"XYTCZ", {1, 4}}, {"XYZTC", {2, 3}}}) {
     const std::string file = bytes_of(6, ome_xml("DimensionOrder=\"" + order + "\""));
-    EXPECT_TRUE(contains(choice(file), "3 channels, 2 slices: choose with --channel 0 ... 2"));
+    EXPECT_TRUE(contains(choice(file), "3 channels, 2 slices"));
+    EXPECT_EQ(advice(file), Advices{Advice::choose_channel});
     EXPECT_EQ(planes(file, {.channel = 1}), second) << order;
   }
 }
@@ -161,7 +169,7 @@ TEST_F(TiffAxes, OmeThatIsNotOnePageForEachPlaneIsRefusedInASentence) {
   EXPECT_TRUE(contains(refusal(6, ome_xml(order).substr(0, 200)), "XML"));
   EXPECT_TRUE(contains(refusal(1, "<OME><BinaryOnly MetadataFile=\"m.ome\"/></OME>"), "m.ome"));
   const Volume more = read(bytes_of(7, ome_xml(order)), {.channel = 0});
-  EXPECT_TRUE(contains(more.warnings.at(0), "1 of its pages are no planes"));
+  EXPECT_TRUE(contains(more.warnings.at(0).text, "1 of its pages are no planes"));
 }
 
 TEST_F(TiffAxes, OmeStatesSpacingAndUnit) {
@@ -181,7 +189,7 @@ TEST_F(TiffAxes, OmeStatesSpacingAndUnit) {
   EXPECT_EQ(volume.warnings.size(), 2U);
   volume = placed("PhysicalSizeX=\"0.5\" PhysicalSizeXUnit=\"pixel\"");
   EXPECT_EQ(volume.spacing, (Vec3{1, 1, 1}));
-  EXPECT_TRUE(contains(volume.warnings.at(0), "'pixel'"));
+  EXPECT_TRUE(contains(volume.warnings.at(0).text, "'pixel'"));
   volume = placed("PhysicalSizeX=\"0.5\"", {.channel = 0, .spacing = Vec3{1, 2, 3}});
   EXPECT_EQ(volume.spacing, (Vec3{1, 2, 3}));
   EXPECT_EQ(volume.unit, "");
@@ -194,11 +202,11 @@ TEST_F(TiffAxes, ImageJStatesSpacingAndUnit) {
   EXPECT_EQ(volume.unit, "µm");
   volume = read(bytes_of(2, two + "unit=mm\n", 4.0F));
   EXPECT_EQ(volume.spacing, (Vec3{0.25, 0.25, 1}));
-  EXPECT_TRUE(contains(volume.warnings.at(0), "no distance between slices"));
+  EXPECT_TRUE(contains(volume.warnings.at(0).text, "no distance between slices"));
   volume = read(bytes_of(2, two, 300.0F));  // of a printer
   EXPECT_EQ(volume.spacing, (Vec3{1, 1, 1}));
   EXPECT_EQ(volume.unit, "");
-  EXPECT_TRUE(contains(read(bytes_of(2, two + "spacing=0\n")).warnings.at(0), "no length"));
+  EXPECT_TRUE(contains(read(bytes_of(2, two + "spacing=0\n")).warnings.at(0).text, "no length"));
 }
 
 TEST_F(TiffAxes, PlanesBehindOnePageAreRead) {
@@ -275,9 +283,10 @@ TEST(TiffAxesData, EveryOddFileHasItsKnownCounts) {
 
 TEST(TiffAxesData, AFileOfSeveralVolumesListsItsAxes) {
   ISOLOOP_NEEDS("odd/ome_zc.ome.tif");
-  const std::string message =
-      message_of<InvalidArgument>([] { read_tiff(test::data("odd/ome_zc.ome.tif")); });
-  EXPECT_TRUE(contains(message, "2 channels, 16 slices: choose with --channel 0 ... 1")) << message;
+  const auto error =
+      test::error_of<InvalidArgument>([] { read_tiff(test::data("odd/ome_zc.ome.tif")); });
+  EXPECT_TRUE(contains(error.what(), "2 channels, 16 slices")) << error.what();
+  EXPECT_EQ(error.finding.advice, Advices{Advice::choose_channel});
 }
 
 TEST(TiffAxesData, TheSpacingIsTheFilesOwn) {

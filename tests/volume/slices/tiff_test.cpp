@@ -73,7 +73,9 @@ TEST_F(Tiff, FewerPagesThanStatedAreRefused) {
 TEST_F(Tiff, FramesOfAStackAreChosen) {
   const std::string file =
       bytes_of({.pages = 6, .description = "ImageJ=1.53\nimages=6\nslices=2\nframes=3\n"});
-  EXPECT_TRUE(contains(message_of<InvalidArgument>([&] { read(file); }), "--frame 0 ... 2"));
+  const auto error = test::error_of<InvalidArgument>([&] { read(file); });
+  EXPECT_EQ(error.option, Option::frame);
+  EXPECT_EQ(error.finding.advice, std::vector<Advice>{Advice::choose_frame});
   const Volume second = read(file, {.frame = 1});
   EXPECT_EQ(second.dims[2], 2);
   EXPECT_EQ(std::get<std::vector<std::uint16_t>>(second.values)[0], 200);
@@ -124,7 +126,7 @@ TEST_F(Tiff, ABombIsRefusedBeforeMemoryIsAskedFor) {
   put(bytes, at + 12 + 10, std::uint32_t{900000}, Endian::little);  // the height
   bytes[at + 2 + 2] = 4;
   bytes[at + 12 + 2 + 2] = 4;  // both as 32 bits
-  EXPECT_TRUE(contains(message_of<LimitExceeded>([&] { read(bytes); }), "--max-memory"));
+  EXPECT_EQ(test::error_of<LimitExceeded>([&] { read(bytes); }).excess.unit, Excess::Unit::bytes);
 }
 
 TEST_F(Tiff, NoFlippedByteEndsTheProcess) {

@@ -118,19 +118,43 @@ TEST(VdbMessage, AsksForNoMemoryBeyondTheLimit) {
   header.volume.dims = {1L << 20, 1L << 20, 1L << 20};
   std::ostringstream out;
   send_header(out, header);
-  const std::string message = message_of<LimitExceeded>([&] { receive(out.str()); });
-  EXPECT_TRUE(contains(message, "--max-memory")) << message;
+  EXPECT_EQ(test::error_of<LimitExceeded>([&] { receive(out.str()); }).excess.needed,
+            std::uint64_t{4} << 60);
   EXPECT_THROW(receive(whole_message(), {.max_bytes = 5 * 9 * 3 * 4 - 1}), LimitExceeded);
   EXPECT_NO_THROW(receive(whole_message(), {.max_bytes = 5 * 9 * 3 * 4}));
 }
 
-TEST(VdbMessage, CarriesErrorsAsOneLine) {
+TEST(VdbMessage, CarriesErrorsWithAllTheirDataAsOneLine) {
+  const Finding sent{.file = "a.vdb",
+                     .place = "grid '\x1b[2J\n'",
+                     .about = Option::grid,
+                     .text = "is bad",
+                     .advice = {Advice::choose_grid, Advice::take_part}};
   std::ostringstream out;
-  send_error(out, VdbErrorKind::input, "a.vdb: grid '\x1b[2J\n' is bad");
-  EXPECT_EQ(message_of<InvalidInput>([&] { receive(out.str()); }), "a.vdb: grid '?[2J?' is bad");
+  send_error(out, InvalidInput(sent, Fault::unsupported));
+  const auto input = test::error_of<InvalidInput>([&] { receive(out.str()); });
+  EXPECT_STREQ(input.what(), "a.vdb: grid '?[2J?': the grid is bad");
+  EXPECT_EQ(input.fault, Fault::unsupported);
+  EXPECT_EQ(input.finding.file, sent.file);
+  EXPECT_EQ(input.finding.about, sent.about);
+  EXPECT_EQ(input.finding.advice, sent.advice);
   std::ostringstream usage;
-  send_error(usage, VdbErrorKind::argument, "choose");
-  EXPECT_THROW(receive(usage.str()), InvalidArgument);
+  send_error(usage, InvalidArgument({.text = "choose"}, Option::frame));
+  EXPECT_EQ(test::error_of<InvalidArgument>([&] { receive(usage.str()); }).option, Option::frame);
+}
+
+TEST(VdbMessage, RefusesAnErrorOfNoKnownKindAndOneCutShort) {
+  std::ostringstream out;
+  send_error(out, InvalidInput({.file = "a.vdb", .text = "no", .advice = {Advice::choose_grid}}));
+  const std::string whole = out.str();
+  for (std::size_t length = 0; length < whole.size(); ++length) {
+    EXPECT_THROW(receive(whole.substr(0, length)), BrokenMessage) << length;
+  }
+  for (const std::size_t from_end : {4, 8}) {  // the advice, and how much of it there is
+    std::string damaged = whole;
+    damaged[whole.size() - from_end + 3] = '\x7f';
+    EXPECT_THROW(receive(damaged), BrokenMessage) << from_end;
+  }
 }
 
 }  // namespace

@@ -311,9 +311,10 @@ TEST(VdbReader, NamesTheLimitThatStoppedTheDecoder) {
   auto grid = openvdb::FloatGrid::create(0.0F);
   for (int i = 0; i < 40000; ++i) grid->tree().setValueOn(Coord(8 * (i % 200), 8 * (i / 200), 0));
   write_grids(folder / "a.vdb", {grid});  // 40 000 leaves: 83 MiB
-  const std::string message =
-      message_of<LimitExceeded>([&] { read_vdb(folder / "a.vdb", "", {.max_bytes = 1000}); });
-  EXPECT_TRUE(contains(message, "--max-memory")) << message;
+  const auto error =
+      test::error_of<LimitExceeded>([&] { read_vdb(folder / "a.vdb", "", {.max_bytes = 1000}); });
+  EXPECT_TRUE(test::advises(error.finding, Advice::raise_memory_limit));
+  EXPECT_EQ(error.excess.limit, 1000U);
 }
 
 TEST(VdbReader, TakesNoMoreMemoryForASparseFileThanItsVoxels) {

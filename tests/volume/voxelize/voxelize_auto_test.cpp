@@ -7,6 +7,7 @@
 #include "tests/samples/mesh_samples.h"
 #include "tests/samples/volume_test_files.h"
 #include "volume/files/read.h"
+#include "volume/mesh_topology/mesh_counts.h"
 
 namespace isoloop {
 namespace {
@@ -30,8 +31,9 @@ TEST(VoxelizeAuto, TakesTheFirstResolutionThatHasTheCountsOfTheMesh) {
   EXPECT_EQ(counts_of(volume), "b0 2, b1 0, b2 0");
   EXPECT_TRUE(volume.warnings.empty());
   ASSERT_EQ(volume.notes.size(), 1U);
-  EXPECT_TRUE(contains(volume.notes[0], "--resolution auto took 256: the voxels have at 64 b0 1"))
-      << volume.notes[0];
+  EXPECT_TRUE(contains(volume.notes[0].text, "took 256: the voxels have at 64 b0 1"))
+      << volume.notes[0].text;
+  EXPECT_EQ(volume.notes[0].about, Option::automatic_resolution);
   EXPECT_DOUBLE_EQ(volume.spacing[0], 4.0 / 256);
   const Volume same = voxelize(close_boxes, {.resolution = 256}, {}, "a.stl");
   EXPECT_EQ(volume.values, same.values);
@@ -43,13 +45,14 @@ TEST(VoxelizeAuto, SaysWhichLimitEndsIt) {
   const Volume volume = refined(close_boxes, {.max_voxels = 1'000'000});
   EXPECT_DOUBLE_EQ(volume.spacing[0], 4.0 / 128);
   ASSERT_EQ(volume.warnings.size(), 1U);
-  for (const char* part : {"--resolution auto took 128, the nearest", "at 128 b0 1, b1 0, b2 0",
-                           "the mesh itself b0 2, b1 0, b2 0", "--max-voxels"}) {
-    EXPECT_TRUE(contains(volume.warnings[0], part)) << volume.warnings[0];
+  for (const char* part :
+       {"took 128, the nearest", "at 128 b0 1, b1 0, b2 0", "the mesh itself b0 2, b1 0, b2 0"}) {
+    EXPECT_TRUE(contains(volume.warnings[0].text, part)) << volume.warnings[0].text;
   }
+  EXPECT_TRUE(test::advises(volume.warnings[0], Advice::raise_voxel_limit));
   const Volume memory = refined(close_boxes, {.max_bytes = 3'000'000});
   ASSERT_EQ(memory.warnings.size(), 1U);
-  EXPECT_TRUE(contains(memory.warnings[0], "--max-memory")) << memory.warnings[0];
+  EXPECT_TRUE(test::advises(memory.warnings[0], Advice::raise_memory_limit));
   EXPECT_THROW(refined(close_boxes, {.max_voxels = 1000}), LimitExceeded);
 }
 
@@ -60,7 +63,7 @@ TEST(VoxelizeAuto, TakesTwoEqualCountsWhereTheMeshHasNone) {
   const Volume volume = refined(open);
   EXPECT_DOUBLE_EQ(volume.spacing[0], 4.0 / 128);
   ASSERT_EQ(volume.warnings.size(), 2U);
-  EXPECT_TRUE(contains(volume.warnings[1], "because it is open")) << volume.warnings[1];
+  EXPECT_TRUE(contains(volume.warnings[1].text, "because it is open")) << volume.warnings[1].text;
 }
 
 TEST(VoxelizeAuto, GoesWithNoOtherSize) {

@@ -92,7 +92,7 @@ TEST(Voxelize, PartsThatOverlapAreJoinedWithAWarning) {
   const Volume volume = at_length(two, 0.5);
   EXPECT_EQ(numbers(betti_of(volume)), (Numbers{1, 0, 0}));
   ASSERT_EQ(volume.warnings.size(), 1U);
-  EXPECT_TRUE(contains(volume.warnings[0], "overlap")) << volume.warnings[0];
+  EXPECT_TRUE(contains(volume.warnings[0].text, "overlap")) << volume.warnings[0].text;
 }
 
 TEST(Voxelize, FacesThatDisagreeAreTakenByEvenAndOddWithAWarning) {
@@ -102,7 +102,7 @@ TEST(Voxelize, FacesThatDisagreeAreTakenByEvenAndOddWithAWarning) {
   const Volume volume = at_length(mesh, 0.5);
   EXPECT_EQ(volume.values, at_length(box_mesh({0, 0, 0}, {4, 4, 4}), 0.5).values);
   ASSERT_EQ(volume.warnings.size(), 1U);
-  EXPECT_TRUE(contains(volume.warnings[0], "odd number")) << volume.warnings[0];
+  EXPECT_TRUE(contains(volume.warnings[0].text, "odd number")) << volume.warnings[0].text;
 }
 
 TEST(Voxelize, AnOpenMeshIsFloodedWithAWarning) {
@@ -113,7 +113,8 @@ TEST(Voxelize, AnOpenMeshIsFloodedWithAWarning) {
   const Volume solid = at_length(cracked, 0.5);
   EXPECT_EQ(numbers(betti_of(solid)), (Numbers{1, 0, 0}));
   ASSERT_EQ(solid.warnings.size(), 1U);
-  EXPECT_TRUE(contains(solid.warnings[0], "the mesh is open (4 edges")) << solid.warnings[0];
+  EXPECT_TRUE(contains(solid.warnings[0].text, "the mesh is open (4 edges"))
+      << solid.warnings[0].text;
   mesh.triangles.resize(10);  // a whole face is missing: the outside comes in
   EXPECT_NE(at_length(mesh, 0.5).values, solid.values);
 }
@@ -128,7 +129,7 @@ TEST(Voxelize, AnObjFileCutBetweenItsShellsIsReadWithAWarning) {
   const std::string cut = whole.substr(0, whole.find("f 9 "));
   ASSERT_LT(cut.size(), whole.size());
   ASSERT_EQ(warnings(cut).size(), 1U);
-  EXPECT_TRUE(contains(warnings(cut)[0], "8 points are in no face")) << warnings(cut)[0];
+  EXPECT_TRUE(contains(warnings(cut)[0].text, "8 points are in no face")) << warnings(cut)[0].text;
 }
 
 TEST(Voxelize, AThinWallStaysWhereVoxelsAreSmaller) {
@@ -142,10 +143,12 @@ TEST(Voxelize, AThinWallStaysWhereVoxelsAreSmaller) {
 TEST(Voxelize, RefusesSizesThatMakeNoVoxels) {
   const Mesh mesh = box_mesh({0, 0, 0}, {1, 1, 4});
   const auto refused = [&](const VoxelSize& size) {
-    return message_of<InvalidArgument>([&] { voxelize(mesh, size, {}, "a.stl"); });
+    const auto error = test::error_of<InvalidArgument>([&] { voxelize(mesh, size, {}, "a.stl"); });
+    EXPECT_EQ(error.option, Option::voxel_size);
+    return error.finding;
   };
-  EXPECT_TRUE(contains(refused({}), "longest side, which is 4"));
-  EXPECT_TRUE(contains(refused({.length = 1.0, .resolution = 4}), "--resolution"));
+  EXPECT_TRUE(contains(refused({}).text, "longest side is 4"));
+  EXPECT_TRUE(test::advises(refused({.length = 1.0, .resolution = 4}), Advice::state_voxel_size));
   refused({.length = 0.0});
   refused({.length = -1.0});
   refused({.length = std::nan("")});

@@ -28,8 +28,8 @@ TEST(Labels, AreTheWholeNumbersNearestToTheValues) {
   EXPECT_EQ(std::get<std::vector<std::uint8_t>>(mask.values),
             (std::vector<std::uint8_t>{0, 1, 1, 1, 0}));
   ASSERT_EQ(mask.notes.size(), 2U);
-  EXPECT_TRUE(contains(mask.notes[1], "2 voxels of these labels")) << mask.notes[1];
-  EXPECT_TRUE(contains(mask.notes[1], "0.009")) << mask.notes[1];
+  EXPECT_TRUE(contains(mask.notes[1].text, "2 voxels of these labels")) << mask.notes[1].text;
+  EXPECT_TRUE(contains(mask.notes[1].text, "0.009")) << mask.notes[1].text;
   EXPECT_TRUE(mask.warnings.empty());
   EXPECT_EQ(mask_of_labels(map, {0}, "map").notes.size(), 1U);
 }
@@ -41,7 +41,7 @@ TEST(Labels, AreNotTakenFromAVolumeOfOtherValues) {
   const Volume map{.values = values, .dims = {2000, 1, 1}};
   const Volume mask = mask_of_labels(map, {1}, "map");
   ASSERT_EQ(mask.warnings.size(), 1U);
-  EXPECT_TRUE(contains(mask.warnings[0], "reason: 2")) << mask.warnings[0];
+  EXPECT_TRUE(contains(mask.warnings[0].text, "reason: 2")) << mask.warnings[0].text;
   EXPECT_EQ(std::get<std::vector<std::uint8_t>>(mask.values)[7], 0);
   values[9] = -1e300;
   const std::string message = message_of<InvalidArgument>([&] {
@@ -62,7 +62,7 @@ TEST(Labels, ThatNoVoxelHasAreNamed) {
     mask_of_labels(map, {4, 5}, "map");
   });
   EXPECT_TRUE(contains(message, "4, 5") && contains(message, "0, 3, 7")) << message;
-  EXPECT_TRUE(contains(mask_of_labels(map, {3, 5}, "map").warnings.at(0), "label 5"));
+  EXPECT_TRUE(contains(mask_of_labels(map, {3, 5}, "map").warnings.at(0).text, "label 5"));
 }
 
 }  // namespace

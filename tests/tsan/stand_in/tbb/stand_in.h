@@ -113,6 +113,11 @@ void parallel_for(Value begin, Value end, const Body& body) {
   });
 }
 
+template <class Value, class Body, class = std::enable_if_t<std::is_integral_v<Value>>>
+void parallel_for(Value begin, Value end, const Body& body, simple_partitioner) {
+  parallel_for(begin, end, body);
+}
+
 template <class Value, class Result, class Body, class Join>
 Result parallel_reduce(const blocked_range<Value>& range, const Result& identity, const Body& body,
                        const Join& join) {
