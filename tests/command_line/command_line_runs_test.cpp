@@ -270,6 +270,11 @@ TEST_F(CommandLine, WithLittleAddressSpaceEndsByTheDocumentedExitCode) {
   EXPECT_GT(short_of_memory, 0);
 }
 
+TEST_F(CommandLine, GenerateRefusesANameThatContradictsTheShape) {
+  expect_failure({"generate", "torus", "--size", "64", "-o", "t_10x10x10_uint8.raw"}, 2,
+                 "states 10 x 10 x 10 voxels of uint8, but the shape has 64 x 64 x 26 of float32");
+}
+
 TEST_F(CommandLine, ScanCountsAsCountDoes) {
   ASSERT_EQ(run({"generate", "plate", "--size", "24", "--holes", "2", "-o", "p.vdb"}).exit_code, 0);
   const ProcessResult scanned = run({"scan", "p.vdb", "--from", "-1", "--to", "1", "--values", "9",

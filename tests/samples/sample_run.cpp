@@ -42,8 +42,8 @@ Surface torus_surface() {
 
 }  // namespace
 
-LoopsResult torus_run() {
-  LoopsResult run;
+LoopsRun torus_run() {
+  LoopsRun run;
   run.file = "torus.raw";
   run.volume = sample_volume();
   run.range = {-1.0, 2.0};
@@ -78,8 +78,8 @@ LoopsResult torus_run() {
   return run;
 }
 
-LoopsResult torus_run_with_features() {
-  LoopsResult run = torus_run();
+LoopsRun torus_run_with_features() {
+  LoopsRun run = torus_run();
   run.with_features = true;
   run.features = {{.area = 4.0,
                    .axis = {0.0, 1.0, 0.0},
@@ -96,8 +96,8 @@ LoopsResult torus_run_with_features() {
   return run;
 }
 
-LoopsResult open_run() {
-  LoopsResult run = torus_run();
+LoopsRun open_run() {
+  LoopsRun run = torus_run();
   Surface& surface = run.analysis.surface;
   surface.boundary = Boundary::open;
   surface.triangles.resize(12);  // six for each angle round the axis
@@ -116,8 +116,8 @@ LoopsResult open_run() {
   return run;
 }
 
-LoopsResult empty_run() {
-  LoopsResult run;
+LoopsRun empty_run() {
+  LoopsRun run;
   run.file = "torus.raw";
   run.volume = sample_volume();
   run.range = {-1.0, 2.0};

@@ -8,17 +8,17 @@ namespace isoloop {
 /// Vertex 3 i + j lies at angle i round the axis and angle j round the tube. The handle loop runs
 /// through vertices 0 1 2, the tunnel loop through 0 3 6. The volume is 10 x 10 x 10 float32 with
 /// spacing 0.5 and its origin at (100, 0, 0).
-LoopsResult torus_run();
+LoopsRun torus_run();
 
 /// The same with features, of which reports tell: the handle's holds vertices 0 to 5, the tunnel's
 /// 0, 3, 6 and 7.
-LoopsResult torus_run_with_features();
+LoopsRun torus_run_with_features();
 
 /// The torus cut open by the border of the volume between angles 2 and 0 round the axis: a tube
 /// with two border curves. Its one loop is of kind `loop` and runs through vertices 0 1 2.
-LoopsResult open_run();
+LoopsRun open_run();
 
 /// The same volume at an iso value that no voxel reaches.
-LoopsResult empty_run();
+LoopsRun empty_run();
 
 }  // namespace isoloop

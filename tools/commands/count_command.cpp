@@ -40,8 +40,8 @@ void complete_hint(RunInput& run) {
   }
 }
 
-CountResult counted_run(const CountFlags& flags, const Progress& progress) {
-  CountResult run{read_run(flags.volume, flags.level)};
+CountRun counted_run(const CountFlags& flags, const Progress& progress) {
+  CountRun run{read_run(flags.volume, flags.level)};
   complete_hint(run);
   run.analysis = count_topology(view(run.volume), run.level,
                                 {.boundary = boundary_of(flags.level),
@@ -52,13 +52,13 @@ CountResult counted_run(const CountFlags& flags, const Progress& progress) {
 }
 
 void count(const CountFlags& flags) {
-  CountResult run;
+  CountRun run;
   OutputFiles outputs(flags.volume.file);
   outputs.add("--json", flags.json, report_of(run, write_count_json));
-  run_and_report<CountResult>(
+  run_and_report<CountRun>(
       flags.progress, outputs, run,
       {.run = [&](const Progress& progress) { return counted_run(flags, progress); },
-       .settle = [](CountResult& counted) { compare_with_mesh(counted, counted.analysis); },
+       .settle = [](CountRun& counted) { compare_with_mesh(counted, counted.analysis); },
        .table = write_count_table});
 }
 

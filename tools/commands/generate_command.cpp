@@ -48,6 +48,16 @@ std::string read_back_flags(const std::filesystem::path& path, const Shape& shap
          " --iso " + shortest_text(shape.level.iso);
 }
 
+/// The name of a raw file may say what is in it, and is believed when the file is read.
+void check_name(const std::filesystem::path& path, const Shape& shape) {
+  if (file_kind(path) != FileKind::raw) return;
+  const std::optional<RawLayout> named = layout_from_name(path);
+  if (!named || (named->dims == shape.volume.dims && named->type == VoxelType::float32)) return;
+  throw InvalidArgument(path.string() + ": the name states " + dims_text(named->dims) +
+                        " voxels of " + type_name(named->type) + ", but the shape has " +
+                        dims_text(shape.volume.dims) + " of float32: take another name");
+}
+
 void generate(const GenerateFlags& flags) {
   const std::filesystem::path path(flags.output);
   if (!is_written(path)) {
@@ -63,6 +73,7 @@ void generate(const GenerateFlags& flags) {
   if (voxel_type(shape.volume.values) != VoxelType::float32) {
     throw SelfCheckFailed("a shape must be made of float32 voxels");
   }
+  check_name(path, shape);
   if (file_kind(path) == FileKind::vdb) clip_to_narrow_band(shape);
   write_volume(shape.volume, path);
   std::cerr << "isoloop: wrote " << flags.output << ", ";

@@ -81,7 +81,7 @@ FeatureOptions feature_options(const LoopsFlags& flags) {
   return options;
 }
 
-void add_labels(OutputFiles& outputs, const std::string& name, const LoopsResult& run) {
+void add_labels(OutputFiles& outputs, const std::string& name, const LoopsRun& run) {
   if (!is_written(name)) {
     throw InvalidArgument("--labels " + name + ": volumes are written as " + written_extensions());
   }
@@ -94,7 +94,7 @@ void add_labels(OutputFiles& outputs, const std::string& name, const LoopsResult
 }
 
 /// The reports of `run`, which is yet to be made.
-OutputFiles outputs_of(const LoopsFlags& flags, const LoopsResult& run) {
+OutputFiles outputs_of(const LoopsFlags& flags, const LoopsRun& run) {
   OutputFiles outputs(flags.input.volume.file);
   outputs.add("--json", flags.json, report_of(run, write_json));
   outputs.add("--csv", flags.csv, report_of(run, write_csv));
@@ -117,19 +117,19 @@ void find(const LoopsFlags& flags) {
   if (reports_features(flags) || !flags.html.empty()) input.features = features;
   input.features_may_lack = !reports_features(flags);
   check_engine_flags(input);
-  LoopsResult run;
+  LoopsRun run;
   const OutputFiles outputs = outputs_of(flags, run);
-  run_and_report<LoopsResult>(
+  run_and_report<LoopsRun>(
       flags.progress, outputs, run,
       {.run =
            [&](const Progress& progress) {
-             LoopsResult found = find_run(input, progress);
+             LoopsRun found = find_run(input, progress);
              found.with_features = reports_features(flags);
              return found;
            },
-       .settle = [](LoopsResult& found) { compare_with_mesh(found, found.analysis); },
+       .settle = [](LoopsRun& found) { compare_with_mesh(found, found.analysis); },
        .table =
-           [&](std::ostream& out, const LoopsResult& found) {
+           [&](std::ostream& out, const LoopsRun& found) {
              write_table(out, found);
              if (found.with_features) write_features(out, found);
              if (input.engine.stats) write_stats(out << '\n', found);

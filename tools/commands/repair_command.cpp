@@ -115,9 +115,9 @@ void check_together(const CommandFlags& flags) {
   }
 }
 
-RepairResult repaired_run(const CommandFlags& flags, const RepairRequest& request,
-                          const Progress& progress) {
-  RepairResult run{read_run(flags.volume, flags.level)};
+RepairRun repaired_run(const CommandFlags& flags, const RepairRequest& request,
+                       const Progress& progress) {
+  RepairRun run{read_run(flags.volume, flags.level)};
   if (!flags.dry_run) check_format(flags, run.volume);
   run.repair = in_stage("repair", [&] {
     return repair_loops(view(run.volume), run.level, request,
@@ -131,7 +131,7 @@ RepairResult repaired_run(const CommandFlags& flags, const RepairRequest& reques
 }
 
 /// Writes the repaired volume, unless the run is a dry one.
-void settle(const CommandFlags& flags, RepairResult& run) {
+void settle(const CommandFlags& flags, RepairRun& run) {
   compare_with_mesh(run, run.repair.before);
   if (flags.dry_run) return;
   apply(run.repair, run.volume);
@@ -142,14 +142,14 @@ void settle(const CommandFlags& flags, RepairResult& run) {
 void repair(const CommandFlags& flags) {
   const RepairRequest request = repair_request(flags.repair);
   check_together(flags);
-  RepairResult run;
+  RepairRun run;
   OutputFiles outputs(flags.volume.file);
   if (!flags.dry_run) outputs.reserve("--output", flags.output);
   outputs.add("--json", flags.json, report_of(run, write_repair_json));
-  run_and_report<RepairResult>(
+  run_and_report<RepairRun>(
       flags.progress, outputs, run,
       {.run = [&](const Progress& progress) { return repaired_run(flags, request, progress); },
-       .settle = [&](RepairResult& repaired) { settle(flags, repaired); },
+       .settle = [&](RepairRun& repaired) { settle(flags, repaired); },
        .table = write_repair_table});
 }
 

@@ -31,17 +31,17 @@ struct ScanFlags {
   std::string svg;   // file, "-" or empty
 };
 
-ScanResult scanned_run(const ScanFlags& flags, const Progress& progress) {
+ScanRun scanned_run(const ScanFlags& flags, const Progress& progress) {
   LevelFlags level = flags.level;
   level.iso = "0";  // stands in until an iso value is proposed
-  ScanResult run{read_run(flags.volume, level)};
+  ScanRun run{read_run(flags.volume, level)};
   const std::vector<double> isos = scan_values(flags.range, run.volume, run.range);
   run.scan = in_stage("scan", [&] { return scan_of(run, isos, progress); });
   return run;
 }
 
 void scan(const ScanFlags& flags) {
-  ScanResult run;
+  ScanRun run;
   OutputFiles outputs(flags.volume.file);
   outputs.add("--json", flags.json, report_of(run, write_scan_json));
   outputs.add("--csv", flags.csv, report_of(run, write_scan_csv));
@@ -50,7 +50,7 @@ void scan(const ScanFlags& flags) {
   if (!flags.volume.label.empty()) {
     throw InvalidArgument("scan looks for an iso value, and --label takes none; use count");
   }
-  run_and_report<ScanResult>(
+  run_and_report<ScanRun>(
       flags.progress, outputs, run,
       {.run = [&](const Progress& progress) { return scanned_run(flags, progress); },
        .table = write_scan_table});

@@ -25,14 +25,14 @@ struct ViewFlags {
 };
 
 void view_loops(const ViewFlags& flags) {
-  LoopsResult run;
+  LoopsRun run;
   OutputFiles outputs(flags.input.volume.file);
   outputs.add("--output", flags.output,
               [&](std::ostream& out) { write_page(out, run, flags.page); });
-  run_and_report<LoopsResult>(
+  run_and_report<LoopsRun>(
       flags.progress, outputs, run,
       {.run = [&](const Progress& progress) { return find_run(flags.input, progress); },
-       .settle = [](LoopsResult& found) { compare_with_mesh(found, found.analysis); },
+       .settle = [](LoopsRun& found) { compare_with_mesh(found, found.analysis); },
        .table = write_table});
 }
 

@@ -2,7 +2,9 @@
 
 #include <array>
 #include <filesystem>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/base/errors.h"
 #include "volume/base/file_kind.h"
@@ -65,8 +67,11 @@ void check_flags_fit_file(const VolumeFlags& flags) {
 }
 
 void check_flags_agree(const VolumeFlags& volume, const LevelFlags& level) {
-  if (volume.label.empty() || level.iso.empty()) return;
-  throw InvalidArgument("--iso does not go with --label, which says by itself what is inside");
+  if (volume.label.empty()) return;
+  for (const auto& [flag, value] : {std::pair{"--iso", level.iso}, {"--inside", level.inside}})
+    if (!value.empty())
+      throw InvalidArgument(std::string(flag) +
+                            " does not go with --label, which says by itself what is inside");
 }
 
 }  // namespace isoloop

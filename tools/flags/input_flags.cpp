@@ -280,7 +280,8 @@ std::vector<double> parse_iso(std::string_view text) {
   const std::string complaint =
       "--iso " + std::string(text) +
       " does not state a finite number, or two of which the second is the larger";
-  const std::vector<double> values = parse_list<double>(text, ",", complaint);
+  // No comma parts them: in many countries it is the decimal sign.
+  const std::vector<double> values = parse_list<double>(text, "", complaint);
   const auto is_finite = [](double value) { return std::isfinite(value); };
   if (values.empty() || values.size() > 2 || values.front() > values.back() ||
       !std::all_of(values.begin(), values.end(), is_finite)) {

@@ -74,7 +74,7 @@ std::string ambiguous_faces_text(Topology topology);
 
 Boundary boundary_of(const LevelFlags& flags);
 
-/// One iso value, or two in ascending order, from "70", "70 90" or "70,90"; finite. Throws
+/// One iso value, or two in ascending order, from "70" or "70 90"; finite. Throws
 /// InvalidArgument.
 std::vector<double> parse_iso(std::string_view text);
 

@@ -46,12 +46,12 @@ void append_point(std::vector<std::uint8_t>& bytes, const Box& box, const Vec3& 
   for (std::size_t a = 0; a < 3; ++a) append_little_endian(bytes, box.share(point[a], a));
 }
 
-Vec3 world_point(const LoopsResult& run, const std::array<float, 3>& point) {
+Vec3 world_point(const LoopsRun& run, const std::array<float, 3>& point) {
   return to_world(run.volume, {point[0], point[1], point[2]});
 }
 
 /// Of the surface; where there is none, of the volume.
-Box box_of(const LoopsResult& run) {
+Box box_of(const LoopsRun& run) {
   constexpr double most = std::numeric_limits<double>::max();
   Box box{{most, most, most}, {-most, -most, -most}};
   const auto include = [&](const Vec3& point) {
@@ -79,7 +79,7 @@ struct DrawnMesh {
 
 constexpr auto not_drawn = static_cast<std::uint32_t>(-1);
 
-DrawnMesh drawn_mesh(const LoopsResult& run, const PageOptions& options) {
+DrawnMesh drawn_mesh(const LoopsRun& run, const PageOptions& options) {
   DrawnMesh drawn;
   for (const auto& point : run.analysis.surface.points)
     drawn.mesh.points.push_back(world_point(run, point));
@@ -91,7 +91,7 @@ DrawnMesh drawn_mesh(const LoopsResult& run, const PageOptions& options) {
   return drawn;
 }
 
-Json mesh_of(const LoopsResult& run, const Box& box, const TriangleMesh& mesh) {
+Json mesh_of(const LoopsRun& run, const Box& box, const TriangleMesh& mesh) {
   std::vector<std::uint8_t> positions;
   for (const Vec3& point : mesh.points) append_point(positions, box, point);
   const bool mirrored = frame_mirrors(run.volume);
@@ -137,7 +137,7 @@ std::string points_of(const Feature& feature, const DrawnMesh& drawn) {
   return base64(bytes);
 }
 
-Json loop_of(const LoopsResult& run, const Box& box, const DrawnMesh& drawn, const Loop& loop) {
+Json loop_of(const LoopsRun& run, const Box& box, const DrawnMesh& drawn, const Loop& loop) {
   Json curves = Json::array();
   for (const std::vector<Vec3>& curve : drawn_curves(run.analysis.surface, loop)) {
     std::vector<std::uint8_t> points;
@@ -164,7 +164,7 @@ Json loop_of(const LoopsResult& run, const Box& box, const DrawnMesh& drawn, con
 
 /// The volume in blocks of `block` voxels along each axis: mean values, the range of the voxels as
 /// 0 to 255.
-Json blocks_of(const LoopsResult& run, const PageOptions& options) {
+Json blocks_of(const LoopsRun& run, const PageOptions& options) {
   const Index3& dims = run.volume.dims;
   std::int64_t block = 1;
   Index3 blocks = dims;
@@ -202,7 +202,7 @@ Json blocks_of(const LoopsResult& run, const PageOptions& options) {
           {"values", base64(bytes)}};
 }
 
-Json data_of(const LoopsResult& run, const PageOptions& options) {
+Json data_of(const LoopsRun& run, const PageOptions& options) {
   const Surface& surface = run.analysis.surface;
   const Betti& betti = run.analysis.betti;
   const Volume& volume = run.volume;
@@ -258,7 +258,7 @@ std::string script_text(const Json& json) {
   return text;
 }
 
-std::string plot_text(const LoopsResult& run) {
+std::string plot_text(const LoopsRun& run) {
   if (!run.scan) return "";
   std::ostringstream plot;
   plot << "<details id=\"scan\"><summary>Counts over the iso value</summary>";
@@ -279,7 +279,7 @@ void add_page_flags(CLI::App& command, PageOptions& options) {
       1);
 }
 
-void write_page(std::ostream& out, const LoopsResult& run, const PageOptions& options) {
+void write_page(std::ostream& out, const LoopsRun& run, const PageOptions& options) {
   std::string page;
   for (const std::string_view piece : viewer_page()) page += piece;
   std::size_t at = 0;

@@ -22,6 +22,6 @@ void add_page_flags(CLI::App& command, PageOptions& options);
 /// volume in blocks of voxels for slices, the counts, the scan if `run` has one, and the viewer
 /// (tools/viewer). Positions are in the frame of the input, rounded to 1/65535 of the surface's
 /// extent along each axis.
-void write_page(std::ostream& out, const LoopsResult& run, const PageOptions& options = {});
+void write_page(std::ostream& out, const LoopsRun& run, const PageOptions& options = {});
 
 }  // namespace isoloop

@@ -15,7 +15,7 @@ const char* triviality(const Loop& loop, bool trivial) {
 constexpr const char* feature_columns =
     "label,area,depth,thickness,least_girth,mean_girth,axis_x,axis_y,axis_z";
 
-void write_feature_cells(std::ostream& out, const LoopsResult& run, const Loop& loop) {
+void write_feature_cells(std::ostream& out, const LoopsRun& run, const Loop& loop) {
   const std::size_t place = place_of(run, loop);
   const Feature& feature = run.features[place];
   out << ',' << place + 1;
@@ -27,7 +27,7 @@ void write_feature_cells(std::ostream& out, const LoopsResult& run, const Loop& 
 
 }  // namespace
 
-void write_csv(std::ostream& out, const LoopsResult& run) {
+void write_csv(std::ostream& out, const LoopsRun& run) {
   out << "id,kind,fix,length,size,component,curves,"
          "center_index_i,center_index_j,center_index_k,"
          "center_world_x,center_world_y,center_world_z,"

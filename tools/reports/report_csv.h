@@ -13,6 +13,6 @@ namespace isoloop {
 /// are in the unit of the spacing; an infinite size is "inf". Where reports tell of features:
 /// label, area, depth, thickness, least_girth, mean_girth, axis_x, axis_y, axis_z (the frame of the
 /// input).
-void write_csv(std::ostream& out, const LoopsResult& run);
+void write_csv(std::ostream& out, const LoopsRun& run);
 
 }  // namespace isoloop

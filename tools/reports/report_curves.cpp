@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 /// Calls visit(loop, number of the curve within it, its points in the frame of the input).
 template <class Visit>
-void for_each_curve(const LoopsResult& run, const Visit& visit) {
+void for_each_curve(const LoopsRun& run, const Visit& visit) {
   for (const Loop& loop : run.reported) {
     std::size_t number = 0;
     for (std::vector<Vec3>& curve : drawn_curves(run.analysis.surface, loop)) {
@@ -33,7 +33,7 @@ std::string point_text(const Vec3& point) {
 }
 
 template <class ValueOf>
-void write_cell_array(std::ostream& out, const LoopsResult& run, const char* type, const char* name,
+void write_cell_array(std::ostream& out, const LoopsRun& run, const char* type, const char* name,
                       const ValueOf& value_of) {
   out << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" format=\"ascii\">";
   for_each_curve(run, [&](const Loop& loop, std::size_t, const std::vector<Vec3>&) {
@@ -49,7 +49,7 @@ std::array<double, 3> colour_of(LoopKind kind) {
 
 }  // namespace
 
-void write_curves_vtp(std::ostream& out, const LoopsResult& run) {
+void write_curves_vtp(std::ostream& out, const LoopsRun& run) {
   std::size_t points = 0;
   std::size_t curves = 0;
   for_each_curve(run, [&](const Loop&, std::size_t, const std::vector<Vec3>& curve) {
@@ -87,7 +87,7 @@ void write_curves_vtp(std::ostream& out, const LoopsResult& run) {
   out << "</CellData></Piece></PolyData></VTKFile>\n";
 }
 
-void write_curves_obj(std::ostream& out, const LoopsResult& run) {
+void write_curves_obj(std::ostream& out, const LoopsRun& run) {
   out << "# isoloop: " << frame_comment(run) << '\n';
   std::size_t next = 1;
   for_each_curve(run, [&](const Loop& loop, std::size_t number, const std::vector<Vec3>& curve) {
@@ -100,7 +100,7 @@ void write_curves_obj(std::ostream& out, const LoopsResult& run) {
   });
 }
 
-void write_curves_mrk(std::ostream& out, const LoopsResult& run) {
+void write_curves_mrk(std::ostream& out, const LoopsRun& run) {
   Json markups = Json::array();
   for_each_curve(run, [&](const Loop& loop, std::size_t number, const std::vector<Vec3>& curve) {
     Json points = Json::array();

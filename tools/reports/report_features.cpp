@@ -16,7 +16,7 @@
 namespace isoloop {
 namespace {
 
-Row<9> row_of(const LoopsResult& run, const Loop& loop) {
+Row<9> row_of(const LoopsRun& run, const Loop& loop) {
   const std::size_t place = place_of(run, loop);
   const Feature& feature = run.features[place];
   const int decimals = length_decimals(run.volume.spacing);
@@ -36,7 +36,7 @@ Row<9> row_of(const LoopsResult& run, const Loop& loop) {
 }
 
 /// Reported loops, so that what shorter ones paint later is seen.
-std::vector<const Loop*> longest_first(const LoopsResult& run) {
+std::vector<const Loop*> longest_first(const LoopsRun& run) {
   std::vector<const Loop*> loops;
   for (const Loop& loop : run.reported) loops.push_back(&loop);
   std::stable_sort(loops.begin(), loops.end(),
@@ -47,7 +47,7 @@ std::vector<const Loop*> longest_first(const LoopsResult& run) {
 /// The voxels at the ends of the grid edge that a vertex of M lies on, as far as they lie in the
 /// volume and not in the layer round it. None for vertices within cubes.
 template <class Visit>
-void for_each_voxel_beside(const LoopsResult& run, std::uint32_t vertex, const Visit& visit) {
+void for_each_voxel_beside(const LoopsRun& run, std::uint32_t vertex, const Visit& visit) {
   const Surface& surface = run.analysis.surface;
   if (vertex >= surface.grid_edges.size()) return;
   const Index3& dims = run.volume.dims;
@@ -65,7 +65,7 @@ void for_each_voxel_beside(const LoopsResult& run, std::uint32_t vertex, const V
 }
 
 template <class T>
-std::vector<T> label_values(const LoopsResult& run) {
+std::vector<T> label_values(const LoopsRun& run) {
   const Index3& dims = run.volume.dims;
   std::vector<T> values(static_cast<std::size_t>(dims[0] * dims[1] * dims[2]));
   for (const Loop* loop : longest_first(run)) {
@@ -79,19 +79,19 @@ std::vector<T> label_values(const LoopsResult& run) {
 
 }  // namespace
 
-std::size_t place_of(const LoopsResult& run, const Loop& loop) {
+std::size_t place_of(const LoopsRun& run, const Loop& loop) {
   const std::size_t first = loop.kind == LoopKind::tunnel ? run.analysis.loops.size() / 2 : 0;
   return first + static_cast<std::size_t>(loop.id) - 1;
 }
 
-Vec3 world_axis(const LoopsResult& run, const Feature& feature) {
+Vec3 world_axis(const LoopsRun& run, const Feature& feature) {
   Vec3 world{};
   for (std::size_t a = 0; a < 3; ++a)
     for (std::size_t c = 0; c < 3; ++c) world[c] += feature.axis[a] * run.volume.direction[a][c];
   return world;
 }
 
-void write_features(std::ostream& out, const LoopsResult& run) {
+void write_features(std::ostream& out, const LoopsRun& run) {
   if (run.reported.empty()) return;
   std::vector<Row<9>> rows{
       {"id", "kind", "label", "area", "depth", "thickness", "least girth", "mean girth", "axis"}};
@@ -100,7 +100,7 @@ void write_features(std::ostream& out, const LoopsResult& run) {
   write_rows(out, rows, {false, true, false, false, false, false, false, false, false});
 }
 
-nlohmann::ordered_json feature_json(const LoopsResult& run, const Loop& loop) {
+nlohmann::ordered_json feature_json(const LoopsRun& run, const Loop& loop) {
   const std::size_t place = place_of(run, loop);
   const Feature& feature = run.features[place];
   return {{"label", place + 1},
@@ -112,7 +112,7 @@ nlohmann::ordered_json feature_json(const LoopsResult& run, const Loop& loop) {
           {"mean_girth", feature.mean_girth}};
 }
 
-std::vector<std::uint32_t> vertex_labels(const LoopsResult& run) {
+std::vector<std::uint32_t> vertex_labels(const LoopsRun& run) {
   std::vector<std::uint32_t> labels(run.analysis.surface.points.size());
   for (const Loop* loop : longest_first(run)) {
     const std::size_t place = place_of(run, *loop);
@@ -122,7 +122,7 @@ std::vector<std::uint32_t> vertex_labels(const LoopsResult& run) {
   return labels;
 }
 
-Volume label_volume(const LoopsResult& run, std::uint64_t writer_bytes_per_voxel) {
+Volume label_volume(const LoopsRun& run, std::uint64_t writer_bytes_per_voxel) {
   const bool many = run.analysis.loops.size() > std::numeric_limits<std::uint16_t>::max();
   const std::uint64_t bytes_per_voxel = (many ? 4 : 2) + writer_bytes_per_voxel;
   const std::uint64_t held = held_bytes(run.analysis.surface, run.features);

@@ -42,7 +42,7 @@ Json affine_of(const Volume& volume) {
   return rows;
 }
 
-Json input_of(const CountResult& run) {
+Json input_of(const CountRun& run) {
   const Volume& volume = run.volume;
   return {{"file", run.file},
           {"grid", volume.name},
@@ -66,7 +66,7 @@ const char* inside_rule_text(const IsoLevel& level) {
   return level.inside == InsideRule::above ? "above" : "below";
 }
 
-Json conventions_of(const CountResult& run, const LoopsResult* loops) {
+Json conventions_of(const CountRun& run, const LoopsRun* loops) {
   const bool open = run.analysis.surface.boundary == Boundary::open;
   Json conventions = {{"inside", inside_text(run.level)},
                       {"inside_rule", inside_rule_text(run.level)},
@@ -94,7 +94,7 @@ Json conventions_of(const CountResult& run, const LoopsResult* loops) {
   return conventions;
 }
 
-Json filter_of(const LoopsResult& run) {
+Json filter_of(const LoopsRun& run) {
   const char* side = run.filter.handles ? (run.filter.tunnels ? "both" : "handle") : "tunnel";
   return {{"min_size", run.filter.min_size},
           {"max_size", run.filter.max_size},
@@ -103,7 +103,7 @@ Json filter_of(const LoopsResult& run) {
           {"reported", run.reported.size()}};
 }
 
-Json curves_of(const LoopsResult& run, const Loop& loop) {
+Json curves_of(const LoopsRun& run, const Loop& loop) {
   Json curves = Json::array();
   for (const std::vector<Vec3>& curve : drawn_curves(run.analysis.surface, loop)) {
     Json points = Json::array();
@@ -113,7 +113,7 @@ Json curves_of(const LoopsResult& run, const Loop& loop) {
   return curves;
 }
 
-Json loop_of(const LoopsResult& run, const Loop& loop) {
+Json loop_of(const LoopsRun& run, const Loop& loop) {
   const auto triviality = [](bool trivial) { return trivial ? "trivial" : "nontrivial"; };
   const Json certificate =
       loop.kind == LoopKind::loop
@@ -138,7 +138,7 @@ Json loop_of(const LoopsResult& run, const Loop& loop) {
 }
 
 // Of all loops of a kind, whatever the filter. The bound is one along edges of the surface.
-Json total_of(const LoopsResult& run, LoopKind kind, double least) {
+Json total_of(const LoopsRun& run, LoopKind kind, double least) {
   double length = 0.0;
   double found = 0.0;
   for (const Loop& loop : run.analysis.loops) {
@@ -173,7 +173,7 @@ void write_list(std::ostream& out, const char* name, const Items& items, const T
   out << (items.empty() ? "]" : "\n  ]");
 }
 
-void write_loops(std::ostream& out, const LoopsResult& run) {
+void write_loops(std::ostream& out, const LoopsRun& run) {
   write_member(out, "filter", filter_of(run));
   Json total = {{"handles", total_of(run, LoopKind::handle, run.analysis.least_handle_length)},
                 {"tunnels", total_of(run, LoopKind::tunnel, run.analysis.least_tunnel_length)}};
@@ -184,7 +184,7 @@ void write_loops(std::ostream& out, const LoopsResult& run) {
 }
 
 /// What both kinds of run have, and of `loops`, where there are some, what they have.
-void write_document(std::ostream& out, const CountResult& run, const LoopsResult* loops) {
+void write_document(std::ostream& out, const CountRun& run, const LoopsRun* loops) {
   const Surface& surface = run.analysis.surface;
   const Betti& betti = run.analysis.betti;
   const StageSeconds& seconds = run.analysis.seconds;
@@ -241,10 +241,8 @@ Json mesh_json(const RunInput& run, const Analysis& analysis) {
   return json;
 }
 
-void write_json(std::ostream& out, const LoopsResult& run) { write_document(out, run, &run); }
+void write_json(std::ostream& out, const LoopsRun& run) { write_document(out, run, &run); }
 
-void write_count_json(std::ostream& out, const CountResult& run) {
-  write_document(out, run, nullptr);
-}
+void write_count_json(std::ostream& out, const CountRun& run) { write_document(out, run, nullptr); }
 
 }  // namespace isoloop

@@ -14,10 +14,10 @@ namespace isoloop {
 /// sizes are in the unit of the spacing. JSON has no infinity: an infinite size, which means that
 /// the loop joins two components of the surface, is null. All but the lines "seconds" and
 /// "peak_bytes" are the same bytes for any number of threads.
-void write_json(std::ostream& out, const LoopsResult& run);
+void write_json(std::ostream& out, const LoopsRun& run);
 
 /// The same of a run that only counted: without loops, and without what loops alone depend on.
-void write_count_json(std::ostream& out, const CountResult& run);
+void write_count_json(std::ostream& out, const CountRun& run);
 
 /// Which voxels of the file were read: `first` index along each axis, and the dims that the part is
 /// `of`; null: all of them.

@@ -34,7 +34,7 @@ struct MeshSize {
   std::uint64_t triangles = 0;
 };
 
-MeshSize size_of(const LoopsResult& run, std::span<const Loop> loops) {
+MeshSize size_of(const LoopsRun& run, std::span<const Loop> loops) {
   MeshSize size{run.analysis.surface.points.size(), run.analysis.surface.triangles.size()};
   for (const Loop& loop : loops) {
     for (const auto& curve : drawn_curves(run.analysis.surface, loop)) {
@@ -54,7 +54,7 @@ std::vector<Curve> curves_on_edges(const Loop& loop) {
   return curves;
 }
 
-void write_header(std::ostream& out, const LoopsResult& run, const MeshSize& size) {
+void write_header(std::ostream& out, const LoopsRun& run, const MeshSize& size) {
   out << "ply\nformat binary_little_endian 1.0\n"
       << "comment isoloop: iso-surface (grey), handle loops (green), tunnel loops (red), "
       << "other loops (blue)\n"
@@ -95,12 +95,12 @@ void flush(std::ostream& out, std::vector<char>& bytes, std::size_t from = 0) {
 }
 constexpr std::size_t chunk_bytes = std::size_t{1} << 20;
 
-Vec3 world_point(const LoopsResult& run, std::uint32_t vertex) {
+Vec3 world_point(const LoopsRun& run, std::uint32_t vertex) {
   const auto& point = run.analysis.surface.points[vertex];
   return to_world(run.volume, {point[0], point[1], point[2]});
 }
 
-std::vector<Tube> tubes_of(const LoopsResult& run, std::span<const Loop> loops, double radius) {
+std::vector<Tube> tubes_of(const LoopsRun& run, std::span<const Loop> loops, double radius) {
   std::vector<Tube> tubes;
   for (const Loop& loop : loops) {
     for (std::vector<Vec3>& curve : drawn_curves(run.analysis.surface, loop)) {
@@ -111,7 +111,7 @@ std::vector<Tube> tubes_of(const LoopsResult& run, std::span<const Loop> loops, 
   return tubes;
 }
 
-std::vector<Colour> surface_colours(const LoopsResult& run, std::span<const Loop> loops) {
+std::vector<Colour> surface_colours(const LoopsRun& run, std::span<const Loop> loops) {
   std::vector<Colour> colours(run.analysis.surface.points.size(), surface_grey);
   for (const LoopKind kind : {LoopKind::loop, LoopKind::tunnel, LoopKind::handle}) {
     for (const Loop& loop : loops) {
@@ -124,7 +124,7 @@ std::vector<Colour> surface_colours(const LoopsResult& run, std::span<const Loop
   return colours;
 }
 
-void write_vertices(std::ostream& out, const LoopsResult& run, std::span<const Loop> loops,
+void write_vertices(std::ostream& out, const LoopsRun& run, std::span<const Loop> loops,
                     const std::vector<Tube>& tubes) {
   std::vector<char> bytes;
   const std::vector<Colour> colours = surface_colours(run, loops);
@@ -149,7 +149,7 @@ void write_vertices(std::ostream& out, const LoopsResult& run, std::span<const L
   flush(out, bytes);
 }
 
-void write_faces(std::ostream& out, const LoopsResult& run, const std::vector<Tube>& tubes) {
+void write_faces(std::ostream& out, const LoopsRun& run, const std::vector<Tube>& tubes) {
   std::vector<char> bytes;
   const bool mirrored = frame_mirrors(run.volume);
   for (auto corners : run.analysis.surface.triangles) {
@@ -169,7 +169,7 @@ void write_faces(std::ostream& out, const LoopsResult& run, const std::vector<Tu
 
 }  // namespace
 
-void write_ply(std::ostream& out, const LoopsResult& run, const MeshOptions& options) {
+void write_ply(std::ostream& out, const LoopsRun& run, const MeshOptions& options) {
   std::span<const Loop> loops;
   if (options.loops) loops = run.reported;
   const MeshSize size = size_of(run, loops);

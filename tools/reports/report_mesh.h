@@ -19,6 +19,6 @@ struct MeshOptions {
 /// the loop's own.
 /// Positions are in the world frame of the input, which a comment in the header names. Throws
 /// LimitExceeded where the mesh outgrows 31-bit indices.
-void write_ply(std::ostream& out, const LoopsResult& run, const MeshOptions& options = {});
+void write_ply(std::ostream& out, const LoopsRun& run, const MeshOptions& options = {});
 
 }  // namespace isoloop

@@ -4,7 +4,7 @@
 
 namespace isoloop {
 
-void write_pairs(std::ostream& out, const LoopsResult& run) {
+void write_pairs(std::ostream& out, const LoopsRun& run) {
   out << "side,size,piece,a,a_world_x,a_world_y,a_world_z,b,b_world_x,b_world_y,b_world_z\n";
   for (const SurfacePair& pair : run.analysis.pairs) {
     out << (pair.side == Side::inside ? "inside," : "outside,") << shortest_text(pair.size) << ','

@@ -12,6 +12,6 @@ namespace isoloop {
 /// ("inside" or "outside"), size (of the killing piece; unit of the spacing; "inf" is infinite),
 /// piece (its number), then for the edge's ends a and b the vertex of M and its position in the
 /// frame of the input.
-void write_pairs(std::ostream& out, const LoopsResult& run);
+void write_pairs(std::ostream& out, const LoopsRun& run);
 
 }  // namespace isoloop

@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double voxel_volume(const RepairResult& run) {
+double voxel_volume(const RepairRun& run) {
   const Vec3& spacing = run.volume.spacing;
   return spacing[0] * spacing[1] * spacing[2];
 }
@@ -49,7 +49,7 @@ void write_counts(std::ostream& out, const Repair& repair) {
   row("cavities", repair.before.betti.b2, repair.after.betti.b2);
 }
 
-void write_removals(std::ostream& out, const RepairResult& run) {
+void write_removals(std::ostream& out, const RepairRun& run) {
   if (run.repair.removals.empty()) return;
   const int decimals = length_decimals(run.volume.spacing);
   out << "\nround  loop          length  done             voxels  centre (index)\n";
@@ -75,7 +75,7 @@ Json counts_of(const Analysis& analysis) {
       {"betti", {{"b0", analysis.betti.b0}, {"b1", analysis.betti.b1}, {"b2", analysis.betti.b2}}}};
 }
 
-Json removal_of(const RepairResult& run, const Removal& removal) {
+Json removal_of(const RepairRun& run, const Removal& removal) {
   return {{"kind", kind_text(removal.loop.kind)},
           {"id", removal.loop.id},
           {"round", removal.round},
@@ -89,7 +89,7 @@ Json removal_of(const RepairResult& run, const Removal& removal) {
 
 }  // namespace
 
-void write_repair_table(std::ostream& out, const RepairResult& run) {
+void write_repair_table(std::ostream& out, const RepairRun& run) {
   const Repair& repair = run.repair;
   out << run.file << ": " << dims_text(run.volume.dims) << ' ' << type_name(run.volume.values)
       << ", inside is " << inside_text(run.level) << "\n\n";
@@ -115,7 +115,7 @@ void write_repair_table(std::ostream& out, const RepairResult& run) {
   }
 }
 
-void write_repair_json(std::ostream& out, const RepairResult& run) {
+void write_repair_json(std::ostream& out, const RepairRun& run) {
   const Repair& repair = run.repair;
   Json removals = Json::array();
   for (const Removal& removal : repair.removals) removals.push_back(removal_of(run, removal));

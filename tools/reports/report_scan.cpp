@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string rule_text(const ScanResult& run) {
+std::string rule_text(const ScanRun& run) {
   return run.level.inside == InsideRule::above ? "f >= iso" : "f <= iso";
 }
 
@@ -90,7 +90,7 @@ std::vector<std::size_t> widest_plateaus(const IsoScan& scan, std::size_t most) 
   return widest;
 }
 
-void write_scan_table(std::ostream& out, const ScanResult& run) {
+void write_scan_table(std::ostream& out, const ScanRun& run) {
   const IsoScan& scan = run.scan;
   out << run.file << ": " << volume_text(run.volume) << ", inside is " << rule_text(run) << ", "
       << counted(static_cast<std::int64_t>(scan.rows.size()), "iso value", "iso values") << " from "
@@ -112,7 +112,7 @@ void write_scan_table(std::ostream& out, const ScanResult& run) {
   write_hint(out, run);
 }
 
-void write_scan_csv(std::ostream& out, const ScanResult& run) {
+void write_scan_csv(std::ostream& out, const ScanRun& run) {
   const IsoScan& scan = run.scan;
   out << "iso,b0,b1,b2,euler,genus,inside_voxels,plateau,meaningful\n";
   for (std::size_t p = 0; p < scan.plateaus.size(); ++p) {
@@ -125,7 +125,7 @@ void write_scan_csv(std::ostream& out, const ScanResult& run) {
   }
 }
 
-void write_scan_json(std::ostream& out, const ScanResult& run) {
+void write_scan_json(std::ostream& out, const ScanRun& run) {
   const IsoScan& scan = run.scan;
   const Json input = {{"file", run.file},
                       {"dims", run.volume.dims},

@@ -9,7 +9,7 @@
 
 namespace isoloop {
 
-void write_stats(std::ostream& out, const LoopsResult& run) {
+void write_stats(std::ostream& out, const LoopsRun& run) {
   const Surface& surface = run.analysis.surface;
   const StageSeconds& seconds = run.analysis.seconds;
   const double geodesic = seconds.closest + seconds.sizes;

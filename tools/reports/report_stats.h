@@ -11,6 +11,6 @@ namespace isoloop {
 /// table 1: surface triangles, triangles of K off the surface (pieces of faces cut into fans, both
 /// sides), genus, seconds for the geodesic sizes (closest vertices and sizes) and seconds for the
 /// loops (all other stages; not the reading).
-void write_stats(std::ostream& out, const LoopsResult& run);
+void write_stats(std::ostream& out, const LoopsRun& run);
 
 }  // namespace isoloop

@@ -21,7 +21,7 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 using Point = std::array<float, 3>;
 
-Point world_point(const LoopsResult& run, std::uint32_t vertex) {
+Point world_point(const LoopsRun& run, std::uint32_t vertex) {
   const auto& p = run.analysis.surface.points[vertex];
   const Vec3 world = to_world(run.volume, {p[0], p[1], p[2]});
   return {static_cast<float>(world[0]), static_cast<float>(world[1]), static_cast<float>(world[2])};
@@ -33,7 +33,7 @@ void append_float(Bytes& bytes, float number) {
 
 /// Calls visit(corners) for each triangle, counter-clockwise seen from outside in the world.
 template <class Visit>
-void for_each_triangle(const LoopsResult& run, const Visit& visit) {
+void for_each_triangle(const LoopsRun& run, const Visit& visit) {
   const bool mirrored = frame_mirrors(run.volume);
   for (auto corners : run.analysis.surface.triangles) {
     if (mirrored) std::swap(corners[1], corners[2]);
@@ -65,7 +65,7 @@ void write_array(std::ostream& out, const char* attributes, const Bytes& bytes) 
 
 }  // namespace
 
-void write_surface_obj(std::ostream& out, const LoopsResult& run) {
+void write_surface_obj(std::ostream& out, const LoopsRun& run) {
   out << "# isoloop: " << frame_comment(run) << "\no surface\n";
   for (std::uint32_t v = 0; v < run.analysis.surface.points.size(); ++v) {
     const auto [x, y, z] = world_point(run, v);
@@ -76,7 +76,7 @@ void write_surface_obj(std::ostream& out, const LoopsResult& run) {
   });
 }
 
-void write_surface_stl(std::ostream& out, const LoopsResult& run) {
+void write_surface_stl(std::ostream& out, const LoopsRun& run) {
   const Surface& surface = run.analysis.surface;
   if (surface.triangles.size() > std::numeric_limits<std::uint32_t>::max())
     throw LimitExceeded("the surface has too many triangles for an STL file");
@@ -101,7 +101,7 @@ void write_surface_stl(std::ostream& out, const LoopsResult& run) {
   flush();
 }
 
-void write_surface_vtp(std::ostream& out, const LoopsResult& run) {
+void write_surface_vtp(std::ostream& out, const LoopsRun& run) {
   const Surface& surface = run.analysis.surface;
   Bytes points;
   Bytes components;
@@ -132,7 +132,7 @@ void write_surface_vtp(std::ostream& out, const LoopsResult& run) {
 
 LoopsReport surface_report(const std::string& name) {
   if (name.ends_with(".ply"))
-    return [](std::ostream& out, const LoopsResult& run) { write_ply(out, run, {.loops = false}); };
+    return [](std::ostream& out, const LoopsRun& run) { write_ply(out, run, {.loops = false}); };
   if (name.ends_with(".obj")) return write_surface_obj;
   if (name.ends_with(".stl")) return write_surface_stl;
   if (name.ends_with(".vtp")) return write_surface_vtp;

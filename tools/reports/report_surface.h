@@ -13,12 +13,12 @@ namespace isoloop {
 /// seen from outside.
 LoopsReport surface_report(const std::string& name);
 
-void write_surface_obj(std::ostream& out, const LoopsResult& run);
+void write_surface_obj(std::ostream& out, const LoopsRun& run);
 
 /// Binary. Its head has 80 characters, no more.
-void write_surface_stl(std::ostream& out, const LoopsResult& run);
+void write_surface_stl(std::ostream& out, const LoopsRun& run);
 
 /// Binary, in base64. Point data: "component".
-void write_surface_vtp(std::ostream& out, const LoopsResult& run);
+void write_surface_vtp(std::ostream& out, const LoopsRun& run);
 
 }  // namespace isoloop

@@ -51,7 +51,7 @@ std::string iso_text(const IsoLevel& level) {
 }
 
 // Why the surface is missing, or is no more than the border of the volume.
-void write_level_note(std::ostream& out, const CountResult& run) {
+void write_level_note(std::ostream& out, const CountRun& run) {
   const std::string iso = iso_text(run.level);
   std::string range = "[";
   range += shortest_text(run.range.min) + ", " + shortest_text(run.range.max) + "]";
@@ -70,7 +70,7 @@ void write_level_note(std::ostream& out, const CountResult& run) {
 }
 
 // The counts that the mesh has by itself, and how the voxels were chosen.
-void write_mesh(std::ostream& out, const CountResult& run) {
+void write_mesh(std::ostream& out, const CountRun& run) {
   if (!run.volume.mesh) return;
   out << "mesh        " << mesh_text(*run.volume.mesh);
   if (const std::optional<bool> agree = voxels_agree(run, run.analysis))
@@ -80,7 +80,7 @@ void write_mesh(std::ostream& out, const CountResult& run) {
     out << "note        " << note << '\n';
 }
 
-void write_counts(std::ostream& out, const CountResult& run) {
+void write_counts(std::ostream& out, const CountRun& run) {
   const Surface& surface = run.analysis.surface;
   const Betti& betti = run.analysis.betti;
   const auto count = [](std::size_t n) { return static_cast<std::int64_t>(n); };
@@ -108,7 +108,7 @@ void write_counts(std::ostream& out, const CountResult& run) {
       << "cavities    " << numbers[2] << "  (b2: hollows closed off inside the solid)\n";
 }
 
-void write_head(std::ostream& out, const CountResult& run) {
+void write_head(std::ostream& out, const CountRun& run) {
   out << run.file << ": " << volume_text(run.volume) << ", inside is " << inside_text(run.level)
       << "\n\n";
   write_counts(out, run);
@@ -142,7 +142,7 @@ void write_components(std::ostream& out, const Surface& surface) {
     out << "and " << components.size() - order.size() << " smaller ones: --json lists all\n";
 }
 
-void write_total(std::ostream& out, const LoopsResult& run, LoopKind kind) {
+void write_total(std::ostream& out, const LoopsRun& run, LoopKind kind) {
   const auto loops = std::count_if(run.reported.begin(), run.reported.end(),
                                    [kind](const Loop& loop) { return loop.kind == kind; });
   double length = 0.0;
@@ -159,7 +159,7 @@ void write_total(std::ostream& out, const LoopsResult& run, LoopKind kind) {
   out << '\n';
 }
 
-void write_loops(std::ostream& out, const LoopsResult& run) {
+void write_loops(std::ostream& out, const LoopsRun& run) {
   if (!run.reported.empty()) {
     std::vector<Row<10>> rows{{"id", "kind", "fix", "length", "size", "centre (index)",
                                "centre (world)", "component", "curves", "certificate"}};
@@ -259,13 +259,13 @@ std::string frame_comment(const RunInput& run) {
          shortest_text(spacing[1]) + ' ' + shortest_text(spacing[2]) + " in the unit of lengths";
 }
 
-void write_count_table(std::ostream& out, const CountResult& run) {
+void write_count_table(std::ostream& out, const CountRun& run) {
   write_head(out, run);
   write_components(out, run.analysis.surface);
   write_hint(out, run);
 }
 
-void write_table(std::ostream& out, const LoopsResult& run) {
+void write_table(std::ostream& out, const LoopsRun& run) {
   write_head(out, run);
   write_loops(out, run);
   write_hint(out, run);

@@ -9,12 +9,12 @@ namespace isoloop {
 
 /// Writes the counts of the surface and the solid, then one row for each of the largest components
 /// of the surface.
-void write_count_table(std::ostream& out, const CountResult& run);
+void write_count_table(std::ostream& out, const CountRun& run);
 
 /// Writes the counts, then one row for each reported loop, the total length of each kind and what
 /// was verified. Lengths, sizes and centres are in the unit of the spacing, with the digits that a
 /// hundredth of a voxel asks for.
-void write_table(std::ostream& out, const LoopsResult& run);
+void write_table(std::ostream& out, const LoopsRun& run);
 
 /// "256 x 256 x 128 uint8", and which part of the file that is, unless it is all of it.
 std::string volume_text(const Volume& volume);

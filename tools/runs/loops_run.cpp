@@ -12,11 +12,11 @@
 namespace isoloop {
 namespace {
 
-LoopsResult found_run(const LoopsInput& input, const Progress& progress) {
+LoopsRun found_run(const LoopsInput& input, const Progress& progress) {
   const PairOptions pair = pair_options(input.engine);
   const Boundary boundary = boundary_of(input.level);
   const Tighten tighten = tighten_of(input.engine, boundary);
-  LoopsResult run{{read_run(input.volume, input.level)}};
+  LoopsRun run{{read_run(input.volume, input.level)}};
   run.geodesic = input.geodesic == "exact" ? GeodesicMode::exact : GeodesicMode::hierarchy;
   run.engine = engine_of(input.engine);
   run.refinement = pair.refinement;
@@ -63,7 +63,7 @@ void check_engine_flags(const LoopsInput& input) {
   tighten_of(input.engine, boundary_of(input.level));
 }
 
-LoopsResult find_run(const LoopsInput& input, const Progress& progress) {
+LoopsRun find_run(const LoopsInput& input, const Progress& progress) {
   return on_threads(input.threads, [&] { return found_run(input, progress); });
 }
 

@@ -31,6 +31,6 @@ void check_engine_flags(const LoopsInput& input);
 /// Reads the volume, finds, proves and checks all loops and selects those to report. Throws as
 /// read_run(), find_loops(), check_counts() and check_loops() do, and InvalidArgument for flags
 /// that do not go together.
-LoopsResult find_run(const LoopsInput& input, const Progress& progress);
+LoopsRun find_run(const LoopsInput& input, const Progress& progress);
 
 }  // namespace isoloop

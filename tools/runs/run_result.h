@@ -52,7 +52,7 @@ struct RunInput {
 };
 
 /// A run of `count`: the analysis has no loops.
-struct CountResult : RunInput {
+struct CountRun : RunInput {
   Analysis analysis{};
 };
 
@@ -64,7 +64,7 @@ struct IsoScan {
 };
 
 /// A run of `loops` or `view`.
-struct LoopsResult : CountResult {
+struct LoopsRun : CountRun {
   GeodesicMode geodesic = GeodesicMode::hierarchy;
   Engine engine = Engine::dual;
   Refinement refinement = Refinement::both;  // of the engine `pair`
@@ -76,15 +76,15 @@ struct LoopsResult : CountResult {
   std::optional<IsoScan> scan{};    // where a page is to show it
 };
 
-using LoopsReport = std::function<void(std::ostream&, const LoopsResult&)>;
+using LoopsReport = std::function<void(std::ostream&, const LoopsRun&)>;
 
 /// A run of `scan`: `level` has the rule, its iso value means nothing.
-struct ScanResult : RunInput {
+struct ScanRun : RunInput {
   IsoScan scan{};
 };
 
 /// A run of `repair`; the volume is the repaired one once it is written.
-struct RepairResult : RunInput {
+struct RepairRun : RunInput {
   Repair repair{};
   std::string output{};  // the file written; empty on a dry run
 };

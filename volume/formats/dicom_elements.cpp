@@ -29,10 +29,12 @@ struct Header {
   std::uint32_t length = 0;
 };
 
-/// How a file begins. A data set by itself has explicit or implicit types.
-enum class DicomStart { unknown, preamble, explicit_data, implicit_data };
+/// How a file begins: with the 132 bytes of DICOM files, with the last four of them, with the group
+/// 2 that follows, or with a data set by itself, which has explicit or implicit types.
+enum class DicomStart { unknown, preamble, magic, first_group, explicit_data, implicit_data };
 
 constexpr std::size_t preamble_bytes = 132;
+constexpr std::string_view magic = "DICM";
 constexpr const char* implicit_little = "1.2.840.10008.1.2";
 constexpr const char* explicit_little = "1.2.840.10008.1.2.1";
 
@@ -68,12 +70,16 @@ DicomStart start_of(const std::filesystem::path& path) {
   const std::span<std::byte> start =
       std::span(bytes).first(std::min<std::uint64_t>(bytes.size(), stream.most_left()));
   stream.read(start, "its first bytes");
-  constexpr std::string_view magic = "DICM";
-  if (start.size() >= preamble_bytes &&
-      std::equal(magic.begin(), magic.end(), start.begin() + 128,
-                 [](char a, std::byte b) { return static_cast<std::byte>(a) == b; })) {
-    return DicomStart::preamble;
-  }
+  const auto has = [&](std::string_view text, std::size_t at) {
+    return start.size() >= at + text.size() &&
+           std::equal(text.begin(), text.end(), start.begin() + static_cast<std::ptrdiff_t>(at),
+                      [](char a, std::byte b) { return static_cast<std::byte>(a) == b; });
+  };
+  // The length of group 2, of type UL and 4 bytes long.
+  constexpr std::string_view length_of_first_group("\2\0\0\0UL\4\0", 8);
+  if (has(magic, preamble_bytes - magic.size())) return DicomStart::preamble;
+  if (has(magic, 0) && has(length_of_first_group, magic.size())) return DicomStart::magic;
+  if (has(length_of_first_group, 0)) return DicomStart::first_group;
   return start_of_data_set(start);
 }
 
@@ -87,8 +93,9 @@ class Walker {
 
   void walk(DicomStart start) {
     if (start == DicomStart::unknown) refuse("is no DICOM file, or is cut short");
-    if (start == DicomStart::preamble) {
-      stream_.skip(preamble_bytes, "its first 132 bytes");
+    if (start != DicomStart::explicit_data && start != DicomStart::implicit_data) {
+      if (start == DicomStart::preamble) stream_.skip(preamble_bytes, "its first 132 bytes");
+      if (start == DicomStart::magic) stream_.skip(magic.size(), "its first 4 bytes");
       first_group();
       start_data_set();
     } else {

@@ -67,6 +67,30 @@ void set_imagej_spacing(const std::string& description, const TiffPage& page, Ti
   }
 }
 
+/// In the order in which pages follow one another, the fastest first: channels, slices, frames
+/// unless `order=` says otherwise.
+std::vector<TiffAxis> imagej_axes(const std::string& description, std::uint64_t channels,
+                                  std::uint64_t slices, std::uint64_t frames,
+                                  const std::string& what) {
+  std::string order = stated_text(description, "order").value_or("czt");
+  std::erase_if(order, [](char c) { return c == 'x' || c == 'y' || c == 'X' || c == 'Y'; });
+  std::vector<TiffAxis> axes;
+  for (const char c : order) {
+    if (c == 'c' || c == 'C') axes.push_back({TiffAxisName::channels, channels});
+    if (c == 'z' || c == 'Z') axes.push_back({TiffAxisName::slices, slices});
+    if (c == 't' || c == 'T') axes.push_back({TiffAxisName::frames, frames});
+  }
+  const auto states = [&](TiffAxisName name) {
+    return std::any_of(axes.begin(), axes.end(), [&](const TiffAxis& a) { return a.name == name; });
+  };
+  if (order.size() != 3 || axes.size() != 3 || !states(TiffAxisName::channels) ||
+      !states(TiffAxisName::slices) || !states(TiffAxisName::frames)) {
+    refuse(what, "its description states order=" + *stated_text(description, "order") +
+                     ", which is no order of channels, slices and frames; save it as a plain TIFF");
+  }
+  return axes;
+}
+
 TiffPlanes imagej_planes(const std::string& description, std::uint64_t pages, const TiffPage& first,
                          const std::string& what) {
   TiffPlanes planes;
@@ -86,9 +110,7 @@ TiffPlanes imagej_planes(const std::string& description, std::uint64_t pages, co
                      "; fetch the file again or save it as a plain TIFF");
   }
   if (product == held) {
-    planes.axes = {{TiffAxisName::channels, channels},
-                   {TiffAxisName::slices, slices},
-                   {TiffAxisName::frames, frames}};
+    planes.axes = imagej_axes(description, channels, slices, frames, what);
     return planes;
   }
   if (channels * frames > 1) {
@@ -104,10 +126,12 @@ TiffPlanes imagej_planes(const std::string& description, std::uint64_t pages, co
   return planes;
 }
 
-/// "[2, 16, 20, 24]" after tifffile's `{"shape": `. Nothing if it is damaged.
+/// "[2, 16, 20, 24]" after tifffile's `"shape":`, or "(2, 16, 20, 24)" after `shape=`, as it wrote
+/// before. Nothing if it is damaged.
 std::optional<std::vector<std::uint64_t>> shape_of(std::string_view json) {
-  const std::size_t begin = json.find('[');
-  const std::size_t end = json.find(']');
+  json.remove_prefix(json.find("shape"));
+  const std::size_t begin = json.find_first_of("[(");
+  const std::size_t end = json.find_first_of("])");
   if (begin == std::string_view::npos || end == std::string_view::npos || end < begin) {
     return std::nullopt;
   }
@@ -123,13 +147,26 @@ std::optional<std::vector<std::uint64_t>> shape_of(std::string_view json) {
   return shape;
 }
 
-/// The value of `"name": "…"`; empty if it is not there.
-std::string json_text(std::string_view json, const std::string& name) {
-  const std::string key = "\"" + name + "\": \"";
+/// What tifffile writes of an array of several dimensions.
+bool states_shape(std::string_view description) {
+  return description.starts_with("shape=(") ||
+         (description.starts_with("{") && description.find("\"shape\":") != std::string_view::npos);
+}
+
+/// The value of `"axes": "…"` in capitals; empty if it is not there.
+std::string stated_axes(std::string_view json) {
+  constexpr std::string_view key = "\"axes\":";
   const std::size_t at = json.find(key);
   if (at == std::string_view::npos) return {};
-  const std::string_view rest = json.substr(at + key.size());
-  return std::string(rest.substr(0, rest.find('"')));
+  std::string_view rest = json.substr(at + key.size());
+  const std::size_t begin = rest.find('"');
+  if (begin == std::string_view::npos) return {};
+  rest.remove_prefix(begin + 1);
+  std::string axes(rest.substr(0, rest.find('"')));
+  std::transform(axes.begin(), axes.end(), axes.begin(), [](char c) {
+    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  });
+  return axes;
 }
 
 TiffAxisName axis_name(char letter) {
@@ -190,7 +227,7 @@ TiffPlanes shaped_planes(std::string_view json, std::uint64_t pages, const TiffP
   const auto read = shape_of(json);
   if (!read) refuse(what, "its description states a shape that is none; save it as a plain TIFF");
   std::vector<std::uint64_t> shape = *read;
-  std::string names = json_text(json, "axes");
+  std::string names = stated_axes(json);
   const auto height = static_cast<std::uint64_t>(first.image.height);
   const auto width = static_cast<std::uint64_t>(first.image.width);
   const auto fits = [&](std::size_t size) {
@@ -208,6 +245,11 @@ TiffPlanes shaped_planes(std::string_view json, std::uint64_t pages, const TiffP
              "its description states a shape that is not that of its pages: all pages are read as "
              "slices"});
     return planes;
+  }
+  if (!names.empty() && (names.size() != shape.size() || !names.ends_with("YX"))) {
+    planes.warnings.push_back(
+        {.text = "its description names the axes " + names + ", which are not those of its shape"});
+    names.clear();
   }
   planes.axes = leading_axes(shape, shape.size() - 2, names);
   std::uint64_t product = 1;
@@ -333,8 +375,7 @@ TiffPlanes tiff_planes(const std::string& description, std::uint64_t pages, cons
                        const std::string& what) {
   if (is_ome(description)) return ome_planes(description, pages, first.image, what);
   if (description.starts_with("ImageJ=")) return imagej_planes(description, pages, first, what);
-  constexpr std::string_view shaped = "{\"shape\": ";
-  if (description.starts_with(shaped)) return shaped_planes(description, pages, first, what);
+  if (states_shape(description)) return shaped_planes(description, pages, first, what);
   TiffPlanes planes;
   planes.axes = {{TiffAxisName::slices, pages * static_cast<std::uint64_t>(first.depth)}};
   return planes;

@@ -32,7 +32,7 @@ struct TiffPlanes {
 };
 
 /// What a file of so many pages says of them in its first description: OME-XML, ImageJ's text or
-/// tifffile's JSON; all pages are slices where it is none of these. Throws InvalidInput where the
+/// tifffile's shape; all pages are slices where it is none of these. Throws InvalidInput where the
 /// description and the pages contradict each other, where axes have no names to choose by, and as
 /// ome_planes does.
 TiffPlanes tiff_planes(const std::string& description, std::uint64_t pages, const TiffPage& first,

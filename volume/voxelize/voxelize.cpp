@@ -28,6 +28,12 @@ double voxel_length(const Box& box, const VoxelSize& size, const std::string& wh
   if (!(side > 0.0 && side < most_side)) {
     throw InvalidInput({.file = what, .text = "the mesh has no extent that could be voxelised"});
   }
+  if (size.length && (size.resolution || size.automatic)) {
+    throw InvalidArgument({.file = what,
+                           .text = "a mesh takes one size of voxels, not two",
+                           .advice = {Advice::state_voxel_size}},
+                          Option::voxel_size);
+  }
   if (size.automatic || size.length.has_value() == size.resolution.has_value()) {
     throw InvalidArgument(
         {.file = what,

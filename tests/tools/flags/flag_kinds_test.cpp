@@ -86,9 +86,10 @@ TEST(FlagKinds, WithoutFlagsAndOfUnknownKindsNothingIsRefused) {
   EXPECT_NO_THROW(check_flags_fit_file(unknown));
 }
 
-TEST(FlagsAgree, LabelsHaveNoIsoValue) {
+TEST(FlagsAgree, LabelsHaveNoIsoValueAndSayWhatIsInside) {
   VolumeFlags labels;
   labels.label = "3";
+  EXPECT_THROW(check_flags_agree(labels, {.iso = "", .inside = "below"}), InvalidArgument);
   EXPECT_THROW(check_flags_agree(labels, {.iso = "1", .inside = ""}), InvalidArgument);
   EXPECT_NO_THROW(check_flags_agree(labels, {}));
   EXPECT_NO_THROW(check_flags_agree({}, {.iso = "1", .inside = ""}));

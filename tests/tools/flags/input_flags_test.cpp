@@ -166,8 +166,8 @@ TEST(IsoLevelOfFlags, TwoValuesHaveTheInsideBetweenThem) {
     EXPECT_EQ(level.upper, 2.5);
     EXPECT_EQ(level.inside, InsideRule::above);
   }
-  EXPECT_EQ(level_for({.iso = "3,3", .inside = ""}, two_voxels(false)).upper, 3.0);
-  for (const char* const iso : {"2 1", "1 2 3", "1 inf", "1,,2", "nan", "x"})
+  EXPECT_EQ(level_for({.iso = "3 3", .inside = ""}, two_voxels(false)).upper, 3.0);
+  for (const char* const iso : {"2 1", "1 2 3", "1 inf", "1,5", "nan", "x"})
     EXPECT_THROW(level_for({.iso = iso, .inside = ""}, two_voxels(false)), InvalidArgument) << iso;
   EXPECT_THROW(level_for({.iso = "1 2", .inside = "above"}, two_voxels(false)), InvalidArgument);
 }

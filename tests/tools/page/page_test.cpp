@@ -12,7 +12,7 @@
 namespace isoloop {
 namespace {
 
-std::string page_of(const LoopsResult& run) {
+std::string page_of(const LoopsRun& run) {
   std::ostringstream out;
   write_page(out, run);
   return out.str();
@@ -70,7 +70,7 @@ TEST(Page, SaysWhichPointsLieInTheFeatures) {
 }
 
 TEST(Page, TakesTheVolumeInBlocksWhereItIsLarge) {
-  LoopsResult run = torus_run();
+  LoopsRun run = torus_run();
   run.volume.values = std::vector<float>(1000, 2.0F);
   std::ostringstream out;
   write_page(out, run, {.most_triangles = 100, .most_voxels = 100});
@@ -87,7 +87,7 @@ TEST(Page, NeedsNoNetwork) {
 }
 
 TEST(Page, NamesOfFilesDoNotEndItsScripts) {
-  LoopsResult run = torus_run();
+  LoopsRun run = torus_run();
   run.file = "a</script><b>&.raw";
   const std::string page = page_of(run);
   EXPECT_EQ(data_in(page)["file"], run.file);
@@ -103,7 +103,7 @@ TEST(Page, OfNoSurfaceHoldsNothingButTheVolume) {
 }
 
 TEST(Page, ShowsTheScanIfThereIsOne) {
-  LoopsResult run = torus_run();
+  LoopsRun run = torus_run();
   EXPECT_EQ(page_of(run).find("<details id=\"scan\">"), std::string::npos);
   run.scan.emplace();
   run.scan->rows = {{0.0, {1, 2, 0}, -2, 2, 10}, {1.0, {1, 2, 0}, -2, 2, 9}};

@@ -9,7 +9,7 @@
 namespace isoloop {
 namespace {
 
-std::string csv_of(const LoopsResult& run) {
+std::string csv_of(const LoopsRun& run) {
   std::ostringstream out;
   write_csv(out, run);
   return out.str();

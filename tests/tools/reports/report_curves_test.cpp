@@ -12,7 +12,7 @@
 namespace isoloop {
 namespace {
 
-std::string written(const std::string& name, const LoopsResult& run) {
+std::string written(const std::string& name, const LoopsRun& run) {
   std::ostringstream out;
   curves_report(name)(out, run);
   return out.str();
@@ -44,7 +44,7 @@ TEST(ReportCurves, ObjHasAnObjectForEachLoop) {
 }
 
 TEST(ReportCurves, MarkupsAreClosedCurvesInAFrameThatSlicerKnows) {
-  LoopsResult run = torus_run();
+  LoopsRun run = torus_run();
   const auto lps = nlohmann::json::parse(written("a.mrk.json", run));
   ASSERT_EQ(lps["markups"].size(), 2U);
   const auto& markup = lps["markups"][0];

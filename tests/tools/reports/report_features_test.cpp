@@ -13,7 +13,7 @@
 namespace isoloop {
 namespace {
 
-std::string table_of(const LoopsResult& run) {
+std::string table_of(const LoopsRun& run) {
   std::ostringstream out;
   write_features(out, run);
   return out.str();
@@ -24,7 +24,7 @@ const std::vector<std::uint16_t>& shorts(const Volume& volume) {
 }
 
 TEST(ReportFeatures, HasOneRowForEachReportedLoop) {
-  LoopsResult run = torus_run_with_features();
+  LoopsRun run = torus_run_with_features();
   EXPECT_EQ(
       table_of(run),
       "\nfeatures\n"
@@ -39,14 +39,14 @@ TEST(ReportFeatures, HasOneRowForEachReportedLoop) {
 }
 
 TEST(ReportFeatures, TurnTheAxisToTheWorld) {
-  LoopsResult run = torus_run_with_features();
+  LoopsRun run = torus_run_with_features();
   run.volume.direction = {Vec3{0, 1, 0}, Vec3{0, 0, -1}, Vec3{-1, 0, 0}};
   EXPECT_EQ(feature_json(run, run.reported[0])["axis"], (std::vector<double>{0, 0, -1}));
   EXPECT_EQ(feature_json(run, run.reported[1])["axis"], (std::vector<double>{-1, 0, 0}));
 }
 
 TEST(ReportFeatures, TheShortestLoopsLabelWinsWhereFeaturesOverlap) {
-  LoopsResult run = torus_run_with_features();  // handle: vertices 0 to 5; tunnel: 0, 3, 6, 7
+  LoopsRun run = torus_run_with_features();  // handle: vertices 0 to 5; tunnel: 0, 3, 6, 7
   EXPECT_EQ(vertex_labels(run), (std::vector<std::uint32_t>{1, 1, 1, 1, 1, 1, 2, 2, 0}));
   std::swap(run.reported[0].length, run.reported[1].length);
   EXPECT_EQ(vertex_labels(run), (std::vector<std::uint32_t>{2, 1, 1, 2, 1, 1, 2, 2, 0}));
@@ -55,7 +55,7 @@ TEST(ReportFeatures, TheShortestLoopsLabelWinsWhereFeaturesOverlap) {
 }
 
 TEST(ReportFeatures, LabelTheVoxelsBesideTheirVertices) {
-  LoopsResult run = torus_run_with_features();
+  LoopsRun run = torus_run_with_features();
   // Each vertex on a grid edge along x; the first one's leads out of the volume.
   for (std::size_t i = 0; i < 9; ++i)
     run.analysis.surface.points[i] = {i == 0 ? -0.5F : 2.25F, static_cast<float>(i), 4.0F};
@@ -78,7 +78,7 @@ TEST(ReportFeatures, LabelTheVoxelsBesideTheirVertices) {
 }
 
 TEST(ReportFeatures, AskForRoomForLabels) {
-  LoopsResult run = torus_run_with_features();  // 10 x 10 x 10 voxels, 9 vertices, 10 of features
+  LoopsRun run = torus_run_with_features();  // 10 x 10 x 10 voxels, 9 vertices, 10 of features
   run.cost.max_bytes = 110 * 9 + 4 * 10 + 2 * 1000;
   EXPECT_EQ(shorts(label_volume(run)).size(), 1000);
   EXPECT_THROW(label_volume(run, 8), LimitExceeded);

@@ -15,13 +15,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string text_of(const LoopsResult& run) {
+std::string text_of(const LoopsRun& run) {
   std::ostringstream out;
   write_json(out, run);
   return out.str();
 }
 
-Json parsed(const LoopsResult& run) { return Json::parse(text_of(run)); }
+Json parsed(const LoopsRun& run) { return Json::parse(text_of(run)); }
 
 std::vector<std::string> keys_of(const Json& object) {
   std::vector<std::string> keys;
@@ -54,7 +54,7 @@ TEST(ReportJson, HasTheNamesOfTheDesign) {
 }
 
 TEST(ReportJson, StatesTheUnitWhereTheFileDoes) {
-  LoopsResult run = torus_run();
+  LoopsRun run = torus_run();
   EXPECT_EQ(parsed(run).at("conventions").at("unit"), "length and size: unit of the spacing");
   run.volume.unit = "µm";
   EXPECT_EQ(parsed(run).at("conventions").at("unit"), "length and size: µm");
@@ -85,7 +85,7 @@ TEST(ReportJson, TellsNoSidesApartWithAnOpenBoundary) {
 }
 
 TEST(ReportJson, ListsEveryComponentOfTheSurface) {
-  LoopsResult run = torus_run();
+  LoopsRun run = torus_run();
   run.analysis.surface.components.push_back(
       {.vertices = 6, .triangles = 8, .euler = 2, .genus = 0, .bounds_cavity = true});
   const Json components = parsed(run).at("components");
@@ -98,7 +98,7 @@ TEST(ReportJson, ListsEveryComponentOfTheSurface) {
 }
 
 TEST(ReportJson, StatesTotalLengthsOfEachKind) {
-  LoopsResult run = torus_run();
+  LoopsRun run = torus_run();
   run.analysis.least_handle_length = 2.5;
   const Json json = parsed(run);
   EXPECT_EQ(json.at("conventions").at("tighten"), "basis");
@@ -148,7 +148,7 @@ TEST(ReportJson, PutsCurvesInTheWorldFrame) {
 }
 
 TEST(ReportJson, DrawsGeodesicsWhereThereAreAny) {
-  LoopsResult run = torus_run();
+  LoopsRun run = torus_run();
   run.reported[0].geodesics = {{{{0, 1}, 0.5}, {{1, 2}, 0.5}, {{2, 2}, 0.0}, {{2, 0}, 0.25}}};
   const Json loops = parsed(run).at("loops");
   const Json curve = loops.at(0).at("curves").at(0);
@@ -166,21 +166,21 @@ TEST(ReportJson, PrintsFrameAndAffine) {
 }
 
 TEST(ReportJson, NamesTheTopology) {
-  LoopsResult run = torus_run();
+  LoopsRun run = torus_run();
   EXPECT_EQ(parsed(run).at("conventions").at("topology"), "trilinear");
   run.level.topology = Topology::simple;
   EXPECT_EQ(parsed(run).at("conventions").at("topology"), "simple");
 }
 
 TEST(ReportJson, NamesTheInsideRule) {
-  LoopsResult run = torus_run();
+  LoopsRun run = torus_run();
   EXPECT_EQ(parsed(run).at("conventions").at("inside"), "f <= 0.25");
   run.level.inside = InsideRule::above;
   EXPECT_EQ(parsed(run).at("conventions").at("inside"), "f >= 0.25");
 }
 
 TEST(ReportJson, NamesTheEngineAndItsRefinement) {
-  LoopsResult run = torus_run();
+  LoopsRun run = torus_run();
   EXPECT_EQ(parsed(run).at("conventions").at("engine"), "dual");
   EXPECT_FALSE(parsed(run).at("conventions").contains("refinement"));
   EXPECT_FALSE(parsed(run).at("seconds").contains("pair"));
@@ -208,19 +208,19 @@ TEST(ReportJson, WritesAnEmptySurface) {
 }
 
 TEST(ReportJson, TakesAFileNameThatIsNotUtf8) {
-  LoopsResult run = torus_run();
+  LoopsRun run = torus_run();
   run.file = "bad\xFFname.raw";
   EXPECT_NO_THROW(parsed(run));
 }
 
 TEST(ReportJson, WritesInfiniteVoxelsAsNull) {
-  LoopsResult run = torus_run();
+  LoopsRun run = torus_run();
   run.range.max = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(parsed(run).at("input").at("maximum").is_null());
 }
 
 TEST(ReportJson, DiffersOnlyInCostBetweenRuns) {
-  LoopsResult other = torus_run();
+  LoopsRun other = torus_run();
   other.cost = {.read_seconds = 9.0, .total_seconds = 10.0, .peak_bytes = 7};
   other.analysis.seconds.sizes = 3.0;
   std::istringstream a(text_of(torus_run()));

@@ -32,7 +32,7 @@ std::size_t count_after(const std::string& header, const std::string& words) {
 }
 
 // Reads what a PLY reader on a little-endian machine would.
-Mesh mesh_of(const LoopsResult& run) {
+Mesh mesh_of(const LoopsRun& run) {
   std::ostringstream out;
   write_ply(out, run);
   const std::string bytes = out.str();
@@ -86,7 +86,7 @@ TEST(ReportMesh, LabelsVerticesWhereItTellsOfFeatures) {
 }
 
 TEST(ReportMesh, DrawsGeodesicsWhereThereAreAny) {
-  LoopsResult run = torus_run();
+  LoopsRun run = torus_run();
   run.reported[0].geodesics = {{{{0, 1}, 0.5}, {{1, 2}, 0.5}, {{2, 2}, 0.0}, {{2, 0}, 0.25}}};
   const Mesh mesh = mesh_of(run);
   EXPECT_EQ(mesh.vertices.size(), 9 + (4 + 3) * tube_sides);
@@ -130,7 +130,7 @@ TEST(ReportMesh, TubesHaveAQuarterVoxelRadius) {
 }
 
 TEST(ReportMesh, TurnsTrianglesOverWhereTheFrameMirrors) {
-  LoopsResult run = torus_run();
+  LoopsRun run = torus_run();
   const Mesh straight = mesh_of(run);
   run.volume.direction[0] = {-1, 0, 0};
   const Mesh mirrored = mesh_of(run);
@@ -145,7 +145,7 @@ TEST(ReportMesh, WritesAnEmptySurface) {
 }
 
 TEST(ReportMesh, DrawsReportedLoopsOnly) {
-  LoopsResult run = torus_run();
+  LoopsRun run = torus_run();
   run.reported.pop_back();
   const Mesh mesh = mesh_of(run);
   EXPECT_EQ(mesh.vertices.size(), 9 + 3 * tube_sides);

@@ -11,7 +11,7 @@ namespace isoloop {
 namespace {
 
 TEST(ReportPairs, HasOneRowForEachPairInTheFrameOfTheInput) {
-  LoopsResult run = torus_run();
+  LoopsRun run = torus_run();
   run.analysis.surface.points[1] = {6.0F, 4.0F, 2.0F};
   run.analysis.surface.points[2] = {8.0F, 5.0F, 5.5F};
   run.analysis.pairs = {

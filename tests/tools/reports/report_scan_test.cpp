@@ -13,8 +13,8 @@
 namespace isoloop {
 namespace {
 
-ScanResult scanned_run() {
-  ScanResult run{empty_run()};
+ScanRun scanned_run() {
+  ScanRun run{empty_run()};
   const auto row = [](double iso, std::int64_t b1, std::int64_t voxels) {
     return ScanRow{iso, {1, b1, 0}, 2 - 2 * b1, b1, voxels};
   };
@@ -26,7 +26,7 @@ ScanResult scanned_run() {
 }
 
 template <class Write>
-std::string text_of(const ScanResult& run, const Write& write) {
+std::string text_of(const ScanRun& run, const Write& write) {
   std::ostringstream out;
   write(out, run);
   return out.str();
@@ -42,7 +42,7 @@ TEST(ReportScan, TableHasARowForEachPlateauAndAProposal) {
 }
 
 TEST(ReportScan, TableSaysWhyNothingIsProposed) {
-  ScanResult run = scanned_run();
+  ScanRun run = scanned_run();
   run.scan.rows.resize(1);
   run.scan.plateaus = find_plateaus(run.scan.rows, 1000);
   run.scan.proposed = proposed_row(run.scan.rows, run.scan.plateaus);

@@ -10,7 +10,7 @@ namespace isoloop {
 namespace {
 
 TEST(ReportStats, PartsTheTimeIntoSizesAndAllElse) {
-  LoopsResult run = torus_run();
+  LoopsRun run = torus_run();
   run.engine = Engine::pair;
   run.analysis.volume_triangles = 123;
   run.analysis.seconds = {

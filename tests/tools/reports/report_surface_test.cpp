@@ -13,7 +13,7 @@
 namespace isoloop {
 namespace {
 
-std::string written(const std::string& name, const LoopsResult& run) {
+std::string written(const std::string& name, const LoopsRun& run) {
   std::ostringstream out;
   surface_report(name)(out, run);
   return out.str();
@@ -51,7 +51,7 @@ TEST(ReportSurface, PlyHoldsNoTubes) {
 }
 
 TEST(ReportSurface, TurnsTrianglesOverWhereTheFrameMirrors) {
-  LoopsResult run = torus_run();
+  LoopsRun run = torus_run();
   run.volume.direction[0] = {-1, 0, 0};
   EXPECT_NE(written("a.obj", run).find("\nf 1 5 4\n"), std::string::npos);
 }

@@ -12,13 +12,13 @@
 namespace isoloop {
 namespace {
 
-std::string table_of(const LoopsResult& run) {
+std::string table_of(const LoopsRun& run) {
   std::ostringstream out;
   write_table(out, run);
   return out.str();
 }
 
-std::string count_table_of(const CountResult& run) {
+std::string count_table_of(const CountRun& run) {
   std::ostringstream out;
   write_count_table(out, run);
   return out.str();
@@ -41,7 +41,7 @@ TEST(ReportTable, NamesComponentsTunnelsAndCavities) {
 }
 
 TEST(ReportTable, CountsBorderCurvesWithAnOpenBoundary) {
-  LoopsResult run = open_run();
+  LoopsRun run = open_run();
   const std::string table = table_of(run);
   EXPECT_NE(table.find("2 border curves"), std::string::npos) << table;
   EXPECT_NE(table.find("nontrivial on M"), std::string::npos) << table;
@@ -57,7 +57,7 @@ TEST(ReportTable, CountsBorderCurvesWithAnOpenBoundary) {
 }
 
 TEST(ReportTable, ListsTheLargestComponentsWhereOnlyCounted) {
-  LoopsResult run = torus_run();
+  LoopsRun run = torus_run();
   EXPECT_EQ(count_table_of(run).find("bounds"), std::string::npos);
   for (int i = 0; i < 30; ++i)
     run.analysis.surface.components.push_back({.vertices = 100 + i,
@@ -107,7 +107,7 @@ TEST(ReportTable, AddsUpEachKind) {
   EXPECT_NE(table.find("total length of 1 handle loop: 2.598 (as found: 2.750)\n"),
             std::string::npos)
       << table;
-  LoopsResult run = torus_run();
+  LoopsRun run = torus_run();
   run.tighten = Tighten::none;
   EXPECT_NE(table_of(run).find("total length of 1 tunnel loop: 10.392\n"), std::string::npos);
 }
@@ -119,7 +119,7 @@ TEST(ReportTable, EndsWithWhatWasVerified) {
 }
 
 TEST(ReportTable, SaysHowManyLoopsAFilterLeft) {
-  LoopsResult run = torus_run();
+  LoopsRun run = torus_run();
   run.filter.tunnels = false;
   run.reported.pop_back();
   const std::string table = table_of(run);
@@ -135,7 +135,7 @@ TEST(ReportTable, SaysWhyThereIsNoSurface) {
 }
 
 TEST(ReportTable, SaysWhenEveryVoxelIsInside) {
-  LoopsResult run = torus_run();
+  LoopsRun run = torus_run();
   run.level.iso = 9.0;
   EXPECT_NE(table_of(run).find("so every voxel is inside"), std::string::npos);
 }

@@ -14,18 +14,18 @@ bool holds(const std::string& text, const std::string& part) {
 }
 
 /// The torus, b0 1, b1 1, b2 0 by its voxels of length 0.5, as made from a mesh of these counts.
-LoopsResult run_of(const Betti& betti) {
-  LoopsResult run = torus_run();
+LoopsRun run_of(const Betti& betti) {
+  LoopsRun run = torus_run();
   run.file = "rings.stl";
   run.level = {.iso = 0.0, .inside = InsideRule::below};
   run.volume.mesh = MeshCounts{.triangles = 36, .shells = 2, .betti = betti};
   return run;
 }
 
-std::string difference(const LoopsResult& run) { return difference_text(run, run.analysis); }
+std::string difference(const LoopsRun& run) { return difference_text(run, run.analysis); }
 
 TEST(MeshComparison, NamesBothCountsAndSmallerVoxels) {
-  LoopsResult run = run_of({.b0 = 2, .b1 = 2, .b2 = 0});
+  LoopsRun run = run_of({.b0 = 2, .b1 = 2, .b2 = 0});
   EXPECT_EQ(voxels_agree(run, run.analysis), false);
   EXPECT_EQ(
       difference(run),
@@ -39,19 +39,19 @@ TEST(MeshComparison, NamesBothCountsAndSmallerVoxels) {
 }
 
 TEST(MeshComparison, IsSilentWhereNothingDiffers) {
-  const LoopsResult run = run_of({.b0 = 1, .b1 = 1, .b2 = 0});
+  const LoopsRun run = run_of({.b0 = 1, .b1 = 1, .b2 = 0});
   EXPECT_EQ(voxels_agree(run, run.analysis), true);
   EXPECT_EQ(difference(run), "");
   EXPECT_FALSE(voxels_agree(torus_run(), torus_run().analysis));
 }
 
 TEST(MeshComparison, IsSilentWhereNothingIsKnown) {
-  const LoopsResult differs = run_of({.b0 = 2, .b1 = 2, .b2 = 0});
-  const auto expect_silence = [](const LoopsResult& run) {
+  const LoopsRun differs = run_of({.b0 = 2, .b1 = 2, .b2 = 0});
+  const auto expect_silence = [](const LoopsRun& run) {
     EXPECT_FALSE(voxels_agree(run, run.analysis));
     EXPECT_EQ(difference(run), "");
   };
-  LoopsResult run = differs;
+  LoopsRun run = differs;
   run.volume.mesh->betti = std::nullopt;
   expect_silence(run);
   run = differs;
@@ -69,7 +69,7 @@ TEST(MeshComparison, IsSilentWhereNothingIsKnown) {
 }
 
 TEST(MeshComparison, IsSaidOnceWhereTheRefinementSaidIt) {
-  LoopsResult run = run_of({.b0 = 2, .b1 = 2, .b2 = 0});
+  LoopsRun run = run_of({.b0 = 2, .b1 = 2, .b2 = 0});
   run.volume.mesh->voxels = run.analysis.betti;
   EXPECT_EQ(difference(run), "");
   run.volume.mesh->voxels->b1 = 7;  // counted otherwise, as with --topology simple
@@ -77,7 +77,7 @@ TEST(MeshComparison, IsSaidOnceWhereTheRefinementSaidIt) {
 }
 
 TEST(MeshComparison, IsInTheJson) {
-  LoopsResult run = run_of({.b0 = 2, .b1 = 2, .b2 = 0});
+  LoopsRun run = run_of({.b0 = 2, .b1 = 2, .b2 = 0});
   run.volume.mesh->gap = 0.125;
   EXPECT_EQ(mesh_json(run, run.analysis).dump(),
             R"({"triangles":36,"shells":2,"swallowed":0,"betti":{"b0":2,"b1":2,"b2":0},)"

@@ -127,6 +127,14 @@ TEST_F(Dicom, SlicesWithoutTheirFirstBytesAreRead) {
   }
 }
 
+TEST_F(Dicom, SlicesThatLackThePreambleAloneAreRead) {
+  for (const std::size_t cut : {128U, 132U}) {
+    for (int z = 0; z < 4; ++z)
+      write_bytes(folder_ / std::to_string(z), dicom_slice_at(z).file().substr(cut));
+    EXPECT_EQ(read().dims, (Index3{3, 2, 4})) << cut;
+  }
+}
+
 TEST_F(Dicom, OtherFilesAreNotTakenForSlicesWithoutTheirFirstBytes) {
   std::string numbers;
   for (std::uint16_t i = 8; i < 200; ++i) numbers += test::number_bytes(i, Endian::little);

@@ -69,6 +69,23 @@ TEST_F(TiffAxes, ImageJStatesChannelsSlicesAndFramesTheFirstFastest) {
                        "the channel counts from 0 to 1: there is no 2"));
 }
 
+TEST_F(TiffAxes, ImageJsOrderIsFollowed) {
+  const std::string text = imagej + "images=12\nchannels=2\nslices=3\nframes=2\norder=";
+  EXPECT_EQ(planes(bytes_of(12, text + "zct\n"), {.frame = 0, .channel = 1}), (Planes{3, 4, 5}));
+  EXPECT_EQ(planes(bytes_of(12, text + "xyctz\n"), {.frame = 1, .channel = 0}), (Planes{2, 6, 10}));
+  EXPECT_TRUE(contains(refusal(12, text + "zcc\n"), "order=zcc"));
+}
+
+TEST_F(TiffAxes, AShapeIsFoundWhereverItStandsAndHoweverItIsWritten) {
+  for (const char* text :
+       {R"({"axes": "CZYX", "shape": [2, 3, 4, 5]})", R"({"axes":"czyx","shape":[2,3,4,5]})"})
+    EXPECT_EQ(planes(bytes_of(6, text), {.channel = 1}), (Planes{3, 4, 5})) << text;
+  EXPECT_EQ(planes(bytes_of(6, "shape=(2,3,4,5)"), {.frame = 1}), (Planes{3, 4, 5}));
+  const Volume odd = read(bytes_of(3, R"({"shape": [3, 4, 5], "axes": "XYZ"})"));
+  ASSERT_EQ(odd.warnings.size(), 1U);
+  EXPECT_TRUE(contains(odd.warnings[0].text, "axes XYZ, which are not those of its shape"));
+}
+
 TEST_F(TiffAxes, OneChannelNeedsNoChoice) {
   const std::string file = bytes_of(3, imagej + "images=3\nslices=3\n");
   EXPECT_EQ(planes(file), (Planes{0, 1, 2}));
