@@ -12,7 +12,8 @@ namespace isoloop {
 
 /// A few values, one after another.
 template <class L, class T>
-concept ListOf = std::ranges::random_access_range<L> && std::same_as<std::ranges::range_value_t<L>, T>;
+concept ListOf =
+    std::ranges::random_access_range<L> && std::same_as<std::ranges::range_value_t<L>, T>;
 
 /// What orders the pieces. Unit of the spacing; not negative, may be infinite.
 template <class S>
