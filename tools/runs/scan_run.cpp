@@ -1,6 +1,7 @@
 #include "tools/runs/scan_run.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <type_traits>
@@ -25,13 +26,35 @@ bool holds_integers(const Volume& volume) {
       volume.values);
 }
 
+/// From the least to the greatest voxel, of finite ones where there are others; as
+/// core/grid/level.h takes the largest numbers.
+std::array<double, 2> finite_range(const Volume& volume, const ValueRange& voxels) {
+  constexpr double largest = 1e150;
+  std::array<double, 2> range{voxels.min, voxels.max};
+  if (!std::isfinite(voxels.min) || !std::isfinite(voxels.max)) {
+    range = {largest, -largest};
+    std::visit(
+        [&](const auto& values) {
+          for (const auto value : values) {
+            const auto number = static_cast<double>(value);
+            if (!std::isfinite(number)) continue;
+            range = {std::min(range[0], number), std::max(range[1], number)};
+          }
+        },
+        volume.values);
+    if (range[0] > range[1]) range = {0.0, 0.0};
+  }
+  for (double& end : range) end = std::clamp(end, -largest, largest);
+  return range;
+}
+
 }  // namespace
 
 std::vector<double> scan_values(const ScanRange& range, const Volume& volume,
                                 const ValueRange& voxels) {
-  constexpr double largest = 1e150;  // as core/grid/level.h takes infinite values
-  const double from = range.from.value_or(std::clamp(voxels.min, -largest, largest));
-  const double to = range.to.value_or(std::clamp(voxels.max, -largest, largest));
+  const std::array<double, 2> finite = finite_range(volume, voxels);
+  const double from = range.from.value_or(finite[0]);
+  const double to = range.to.value_or(finite[1]);
   if (!std::isfinite(from) || !std::isfinite(to) || from > to)
     throw InvalidArgument("--from " + shortest_text(from) + " and --to " + shortest_text(to) +
                           " leave no iso value");

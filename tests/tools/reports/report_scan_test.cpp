@@ -1,5 +1,6 @@
 #include "tools/reports/report_scan.h"
 
+#include <limits>
 #include <sstream>
 #include <string>
 
@@ -87,6 +88,12 @@ TEST(ScanValues, AreEvenlySpacedElsewhere) {
   EXPECT_EQ(scan_values({.values = 3, .from = {}, .to = {}}, floats, {-1, 1}),
             (std::vector<double>{-1, 0, 1}));
   EXPECT_EQ(scan_values({}, floats, {2, 2}), std::vector<double>{2});
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const Volume some =
+      volume_of(std::vector<float>{-3.0F, std::numeric_limits<float>::infinity(), 5.0F});
+  const auto between = scan_values({}, some, {-3, infinite, {}});
+  EXPECT_EQ(between.front(), -3.0);
+  EXPECT_EQ(between.back(), 5.0) << "infinite voxels leave the finite ones their steps";
   const Volume shorts = volume_of(std::vector<std::int16_t>());
   EXPECT_EQ(scan_values({}, shorts, {-1000, 30000}).size(), 256U);
 }
