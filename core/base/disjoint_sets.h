@@ -35,9 +35,9 @@ class DisjointSets {
     return true;
   }
 
-  /// find() that other threads may call at the same time, and unite_shared() too: the root then may
-  /// be one no more. Whatever is stored for a member that has a parent is an ancestor of it, so
-  /// that threads that halve one path lead nobody astray.
+  /// find() that other threads may call at the same time, beside unite_shared(). By the time that
+  /// it returns, another thread may have linked the root below a smaller one. Several threads may
+  /// halve one path: what each of them stores for a member is an ancestor of it.
   std::uint32_t find_shared(std::uint32_t member) {
     for (;;) {
       const std::atomic_ref entry(parent_[member]);

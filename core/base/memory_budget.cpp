@@ -33,10 +33,10 @@ int threads_within(const char* stage, std::uint64_t shared, std::uint64_t each, 
   return static_cast<int>(std::min<std::uint64_t>(threads, (limit - shared) / each));
 }
 
-// Held from stage to stage: 2.5 bytes a lattice vertex for the sides, 4 for the closest vertices,
-// 12.5 for the sizes at most; about 110 a surface vertex for M and its graph. The trees of a pass
-// and their open pieces take 6 a lattice vertex and side. What the pass gives back, the searches
-// for loops seldom can use.
+// What one stage leaves to the next: for each lattice vertex 2.5 bytes of sides, 4 of closest
+// vertices and at most 12.5 of sizes; for each vertex of M about 110 bytes of M and its graph. A
+// pass takes 6 bytes more for each lattice vertex and side, for its trees and their open pieces.
+// Searches for loops can seldom use the memory that the pass gives back, so it counts as held.
 
 std::uint64_t surface_bytes(std::uint64_t lattice, std::uint64_t surface) {
   return 5 * lattice / 2 + 170 * surface;

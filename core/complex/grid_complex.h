@@ -37,9 +37,10 @@ class GridComplex {
   void for_each_piece(std::uint32_t layer, const Visit& visit) const;
   template <class Visit>
   void for_each_edge(std::uint32_t layer, const Visit& visit) const;
-  /// Those with lowest corner v, at `position` in the box. Bit a: the face with normal a has a
-  /// piece here; the edge along a is interior; that edge's ring, if it is, is that of the first
-  /// pieces of the faces round it, as many as the box has.
+  /// What begins at vertex v, which lies at `position` in the box, a bit for each axis a. Of
+  /// faces_at: the face with normal a has a piece on this side. Of edges_at: the edge along a is
+  /// interior. Of plain_rings_at: if that edge is interior, the pieces round it are the first
+  /// pieces of all faces that the box has round it.
   unsigned faces_at(std::uint32_t v, const std::array<std::uint32_t, 3>& position) const;
   unsigned edges_at(std::uint32_t v, const std::array<std::uint32_t, 3>& position) const;
   unsigned plain_rings_at(std::uint32_t v, const std::array<std::uint32_t, 3>& position) const;

@@ -1,4 +1,5 @@
-// The dual pass: which pieces kill the classes of M on one side, and a label for every piece.
+// The dual pass (docs/dual_pass.md): which pieces kill the classes of M on one side, and a label
+// for every piece.
 #pragma once
 
 #include <cstdint>

@@ -13,8 +13,8 @@ namespace isoloop {
 /// The refinements of Dey, Li, Sun, Cohen-Steiner (SIGGRAPH 2008) that make loops short.
 /// First: of the cycles wholly on M that are met while a triangle's border is reduced, take the
 /// shortest (and of equal ones the first), not the last. The paper takes the first. In a grid most
-/// edges off M lie where nothing is narrow and have nearly equal sizes, so that the first cycle
-/// runs where noise among them has it.
+/// edges off M lie where nothing is narrow and have nearly equal sizes: which of them comes first
+/// is a matter of noise, and so is where the first cycle runs.
 /// Second: simplices off M enter by geodesic size, not by number alone.
 enum class Refinement { none, first, second, both };
 

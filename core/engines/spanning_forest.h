@@ -117,9 +117,10 @@ class ForestOfLayers {
   std::vector<std::uint8_t> is_bound_;                         // by root of a tree
 };
 
-/// Numbers the trees that have an open piece on their border, 0, 1, ...: `tree_of_cell`, which
-/// names each one's greatest cell, to be found in the same one of `ranges`, gets the numbers in its
-/// place (any for the others). Returns how many they are.
+/// Gives the trees that have an open piece on their border the numbers 0, 1, ..., and returns how
+/// many there are. On entry `tree_of_cell` names the greatest cell of each cell's tree, which lies
+/// in the same one of `ranges` as the cell; on return it has the tree's number, or any value if the
+/// tree has no open piece.
 inline std::uint32_t number_trees(const BitSet& touched, std::span<const std::uint32_t> ranges,
                                   std::span<std::uint32_t> tree_of_cell) {
   const std::size_t count = ranges.size() - 1;
@@ -193,8 +194,8 @@ void join_trees(const C& complex, const S& sizes, std::span<const std::uint32_t>
 inline std::uint32_t layers_in_slab(std::uint32_t layers, std::size_t threads) {
   constexpr std::uint32_t least = 2;  // one alone leaves most to the rounds
   constexpr std::uint32_t largest = 8;
-  constexpr std::size_t share =
-      6;  // of all layers, at hand at a time where slabs are not the least
+  // All slabs at hand have a sixth of the layers, unless they are of the least size.
+  constexpr std::size_t share = 6;
   return static_cast<std::uint32_t>(
       std::clamp<std::size_t>(layers / (share * threads), least, largest));
 }

@@ -75,10 +75,11 @@ class LoopSearch {
   /// again if it is empty.
   void stay_near(const Curve& curve, std::size_t edges);
 
-  /// For every class met: the loop of the shortest closed walk from `base`, without its stem, if it
-  /// is of use. And the length of the shortest closed walk of any class, useful or not, whose part
-  /// in the other side's homology has an odd number of the generators `crossing`; `searched` where
-  /// there is none as short as that. One sheet is enough for the latter.
+  /// Returns, for every class met, the loop of the shortest closed walk through `base`, without its
+  /// stem, if it is of use. `shortest_crossing` is the length of the shortest closed walk of any
+  /// class, useful or not, whose part in the other side's homology has an odd number of the
+  /// generators `crossing`; it equals `searched` where no walk is as short as that. One sheet is
+  /// enough for this length.
   SearchResult shortest_of_each_class(std::uint32_t base, const SearchLimits& limits,
                                       std::span<const std::uint32_t> crossing = {});
 

@@ -45,10 +45,11 @@ class MembraneFinder {
   /// Keeps references: all must outlive it.
   MembraneFinder(const Sides& sides, const C& complex, const DualPass& pass);
 
-  /// Passes use() the least set that is nearest to one of its two sides, then, unless that returned
-  /// true, the one nearest to the other; each ascending, and left out where no set will do. Whether
-  /// use() returned true; nothing where there is no membrane within reach. use() may call
-  /// with_severed(), not thin().
+  /// There may be several least sets. use() is called with the one nearest to one end of the
+  /// network and, unless that returned true, with the one nearest to the other end; each is an
+  /// ascending list, and an end without a set that will do is passed over. Returns whether use()
+  /// returned true; nothing where there is no membrane within reach. use() may call with_severed(),
+  /// but not thin().
   std::optional<bool> thin(const MembraneQuery& query, const MembraneSearch& search,
                            const std::function<bool(const std::vector<std::uint32_t>&)>& use);
 

@@ -44,7 +44,8 @@ EdgeSet::BlockBits cut_edges(const Sides& sides, std::uint32_t b) {
     for (std::uint32_t i = 0, v = 64 * b; i < 64 && v + stride < vertices; ++i, ++v)
       cut[a] |= std::uint64_t{static_cast<std::uint8_t>(sides.inside[v] ^ sides.inside[v + stride])}
                 << i;
-    // The edge that would lead from the last vertex along an axis out of the box is none.
+    // The last vertex along an axis has no edge along it: its bit compares it with a vertex that
+    // follows it in number alone.
     for (std::uint64_t left = cut[a]; left != 0; left &= left - 1) {
       const auto i = static_cast<std::uint32_t>(std::countr_zero(left));
       if (sides.lattice.position(64 * b + i)[a] + 1 == sides.lattice.dims[a])

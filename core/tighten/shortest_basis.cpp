@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t most_sheets = 8;  // where the effort suffices for so many
 constexpr std::size_t least_batch = 16;   // searches between two looks at the effort spent
-constexpr std::size_t most_batches = 32;  // of one search from each loop: each looks at all members
+constexpr std::size_t most_batches = 32;  // of a round; after each of them all members are sorted
 constexpr std::size_t own_starts = 8;     // searches that try to shorten a curve that was exchanged
 constexpr int most_rounds = 8;
 constexpr std::uint64_t least_settled = 1000;  // paths, by a first search from one of each

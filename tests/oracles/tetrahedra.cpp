@@ -82,7 +82,9 @@ class Box {
 
   void find_surface() {
     std::set<std::pair<std::uint32_t, std::uint32_t>> directed;
-    for (const auto& [face, cells] : faces_) {
+    for (const auto& entry : faces_) {
+      const auto& face = entry.first;  // a lambda cannot capture a structured binding
+      const auto& cells = entry.second;
       if (!is_on_surface(cells)) continue;
       const Corners& within = tetrahedra_[cells[tetrahedra_[cells[0]].inside ? 0 : 1]].corners;
       const std::uint32_t apex = *std::find_if(within.begin(), within.end(), [&](std::uint32_t v) {

@@ -94,18 +94,18 @@ TEST(FlatComplex, ACopyOfAGridIsPairedAsTheGridIs) {
 }
 
 TEST(FlatComplex, TheWorkedExampleComesOutAsDocumented) {
-  enum Cell : std::uint32_t { L, R, A, C, U, V };
+  enum Cell : std::uint32_t { l, r, a, c, u, v };
   // In docs/dual_pass.md: a, a', m, c, u, u', v, v', c'. Edge 0 is e, edge 1 is e'.
   const FlatComplex complex(6, 2,
-                            std::vector<FlatPiece>{{{L, A}, {}},
-                                                   {{A, R}, {}},
-                                                   {{U, V}, {0, 1}},
-                                                   {{L, C}, {}},
-                                                   {{L, U}, {0}},
-                                                   {{U, R}, {1}},
-                                                   {{L, V}, {0}},
-                                                   {{V, R}, {1}},
-                                                   {{C, R}, {}}});
+                            std::vector<FlatPiece>{{{l, a}, {}},
+                                                   {{a, r}, {}},
+                                                   {{u, v}, {0, 1}},
+                                                   {{l, c}, {}},
+                                                   {{l, u}, {0}},
+                                                   {{u, r}, {1}},
+                                                   {{l, v}, {0}},
+                                                   {{v, r}, {1}},
+                                                   {{c, r}, {}}});
   const FlatSizes sizes{{9.0F, 8.0F, 7.0F, 6.0F, 5.0F, 4.0F, 3.5F, 3.0F, 2.0F}};
   const DualPass pass = dual_pass(complex, sizes);
   EXPECT_EQ(killing_pieces(pass), (std::vector<std::uint32_t>{8, 5}));

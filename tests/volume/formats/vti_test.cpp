@@ -173,19 +173,11 @@ TEST_F(Vti, ABombIsRefusedBeforeMemoryIsAskedFor) {
   EXPECT_THROW(read(deep), InvalidInput);
 }
 
-TEST_F(Vti, NoFlippedByteEndsTheProcess) {
-  for (const VtiSample& sample : every_sort_of_vti()) {
-    const std::string whole = sample.file();
-    for (std::size_t at = 0; at < whole.size(); at += 3) {
-      std::string damaged = whole;
-      damaged[at] = static_cast<char>(damaged[at] ^ 0x15);
-      try {
-        read(damaged, {}, {.max_bytes = 1 << 20});
-      } catch (const std::runtime_error&) {
-        continue;
-      }
-    }
-  }
+TEST_F(Vti, FlippedBytesAreNoticedOrHarmless) {
+  for (const VtiSample& sample : every_sort_of_vti())
+    test::expect_flipped_bytes_are_noticed_or_harmless(
+        sample.file(), 3,
+        [&](const std::string& bytes) { return read(bytes, {}, {.max_bytes = 1 << 20}); });
 }
 
 TEST(VtiData, FilesOfOneBlockAndOfCellsAreRead) {

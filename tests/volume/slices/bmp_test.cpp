@@ -75,19 +75,10 @@ TEST_F(Bmp, SizesAreCheckedBeforeMemoryIsAskedFor) {
   EXPECT_TRUE(contains(refusal(bytes), "within its palette"));
 }
 
-TEST_F(Bmp, NoFlippedByteEndsTheProcess) {
-  for (const BmpSample& sample : every_sort_of_bmp()) {
-    const std::string whole = sample.file();
-    for (std::size_t at = 0; at < whole.size(); ++at) {
-      std::string damaged = whole;
-      damaged[at] = static_cast<char>(damaged[at] ^ 0xff);
-      try {
-        read(damaged);
-      } catch (const std::runtime_error&) {
-        continue;
-      }
-    }
-  }
+TEST_F(Bmp, FlippedBytesAreNoticedOrHarmless) {
+  for (const BmpSample& sample : every_sort_of_bmp())
+    test::expect_flipped_bytes_are_noticed_or_harmless(
+        sample.file(), 1, [&](const std::string& bytes) { return read(bytes); });
 }
 
 }  // namespace

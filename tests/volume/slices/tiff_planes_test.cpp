@@ -250,20 +250,14 @@ TEST_F(TiffAxes, SlicesWithinAPageAreRead) {
   }
 }
 
-TEST_F(TiffAxes, NoFlippedByteOfATileOfSlicesEndsTheProcess) {
+TEST_F(TiffAxes, FlippedBytesOfATileOfSlicesAreNoticedOrHarmless) {
   const std::string whole = test::tiff_bytes(
       {.compression = COMPRESSION_ADOBE_DEFLATE, .tiled = true, .pages = 1, .depth = 3},
       folder_ / "written");
-  for (std::size_t at = 0; at < whole.size(); ++at) {
-    std::string damaged = whole;
-    damaged[at] = static_cast<char>(damaged[at] ^ 0xff);
-    write_bytes(folder_ / "a.tif", damaged);
-    try {
-      read_tiff(folder_ / "a.tif", {}, {.max_bytes = 1 << 20});
-    } catch (const std::runtime_error&) {
-      continue;
-    }
-  }
+  test::expect_flipped_bytes_are_noticed_or_harmless(whole, 1, [&](const std::string& bytes) {
+    write_bytes(folder_ / "a.tif", bytes);
+    return read_tiff(folder_ / "a.tif", {}, {.max_bytes = 1 << 20});
+  });
 }
 
 TEST_F(TiffAxes, NoFileWithAxesCutShortIsRead) {

@@ -129,19 +129,11 @@ TEST_F(Tiff, ABombIsRefusedBeforeMemoryIsAskedFor) {
   EXPECT_EQ(test::error_of<LimitExceeded>([&] { read(bytes); }).excess.unit, Excess::Unit::bytes);
 }
 
-TEST_F(Tiff, NoFlippedByteEndsTheProcess) {
-  for (const TiffSample& sample : every_sort_of_tiff()) {
-    const std::string whole = bytes_of(sample);
-    for (std::size_t at = 0; at < whole.size(); at += 3) {
-      std::string damaged = whole;
-      damaged[at] = static_cast<char>(damaged[at] ^ 0xff);
-      try {
-        read(damaged, {}, {.max_bytes = 1 << 20});
-      } catch (const std::runtime_error&) {
-        continue;
-      }
-    }
-  }
+TEST_F(Tiff, FlippedBytesAreNoticedOrHarmless) {
+  for (const TiffSample& sample : every_sort_of_tiff())
+    test::expect_flipped_bytes_are_noticed_or_harmless(
+        bytes_of(sample), 3,
+        [&](const std::string& bytes) { return read(bytes, {}, {.max_bytes = 1 << 20}); });
 }
 
 TEST(TiffData, ReadsTheCochlea) {

@@ -12,8 +12,6 @@
 namespace isoloop {
 namespace {
 
-using test::contains;
-using test::message_of;
 
 VdbHeader small_header() {
   VdbHeader header;

@@ -21,7 +21,6 @@ using test::box_mesh;
 using test::contains;
 using test::flipped;
 using test::joined;
-using test::message_of;
 using test::torus_mesh;
 
 Volume at_length(const Mesh& mesh, double length) {
