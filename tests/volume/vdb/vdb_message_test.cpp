@@ -12,7 +12,6 @@
 namespace isoloop {
 namespace {
 
-
 VdbHeader small_header() {
   VdbHeader header;
   header.volume.dims = {5, 9, 3};
