@@ -270,6 +270,15 @@ TEST_F(CommandLine, WithLittleAddressSpaceEndsByTheDocumentedExitCode) {
   EXPECT_GT(short_of_memory, 0);
 }
 
+TEST_F(CommandLine, AFailedAllocationNamesItsStage) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "AddressSanitizer ends the process where memory runs out";
+#endif
+  scratch_.write("ring_5x5x3_uint8.raw", ring_bytes());
+  expect_failure({"loops", "ring_5x5x3_uint8.raw", "--iso", "0.5", "--max-memory", "1000"}, 4,
+                 "the stage '");
+}
+
 TEST_F(CommandLine, GenerateRefusesANameThatContradictsTheShape) {
   expect_failure({"generate", "torus", "--size", "64", "-o", "t_10x10x10_uint8.raw"}, 2,
                  "states 10 x 10 x 10 voxels of uint8, but the shape has 64 x 64 x 26 of float32");

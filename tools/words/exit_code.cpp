@@ -1,24 +1,15 @@
 #include "tools/words/exit_code.h"
 
-#include <new>
-#include <stdexcept>
+#include <exception>
 #include <system_error>
 
 #include <nlohmann/json.hpp>
 
 #include "core/base/errors.h"
+#include "core/base/stage.h"
 #include "tools/words/sentence.h"
 
 namespace isoloop {
-namespace {
-
-// TBB knows no type of its own for this: the stack of one more thread finds no memory.
-bool no_room_for_a_thread(const std::exception& error) {
-  return std::string(error.what()).find("pthread_create") != std::string::npos;
-}
-
-}  // namespace
-
 Failure failure_of(const std::exception_ptr& error, std::string_view command) {
   try {
     std::rethrow_exception(error);
@@ -28,10 +19,6 @@ Failure failure_of(const std::exception_ptr& error, std::string_view command) {
     return {ExitCode::invalid_input, sentence_of(e.finding, command)};
   } catch (const LimitExceeded& e) {
     return {ExitCode::limit_exceeded, sentence_of(e.finding, command)};
-  } catch (const std::bad_alloc&) {
-    return {ExitCode::limit_exceeded, memory_sentence};
-  } catch (const std::length_error&) {
-    return {ExitCode::limit_exceeded, memory_sentence};
   } catch (const SelfCheckFailed& e) {
     return {ExitCode::self_check_failed, "self-check failed, no result: " + one_line(e.what())};
   } catch (const std::system_error& e) {  // threads, or files: a full disk, a vanished file
@@ -39,7 +26,7 @@ Failure failure_of(const std::exception_ptr& error, std::string_view command) {
       return {ExitCode::limit_exceeded, memory_sentence};
     return {ExitCode::invalid_input, one_line(e.what())};
   } catch (const std::exception& e) {
-    if (no_room_for_a_thread(e)) return {ExitCode::limit_exceeded, memory_sentence};
+    if (lacks_memory(e)) return {ExitCode::limit_exceeded, memory_sentence};
     return {ExitCode::self_check_failed, "unexpected error: " + one_line(e.what())};
   } catch (...) {
     return {ExitCode::self_check_failed, "unexpected error"};
