@@ -279,6 +279,29 @@ TEST_F(CommandLine, AFailedAllocationNamesItsStage) {
                  "the stage '");
 }
 
+TEST_F(CommandLine, AMeshIsNotToldToBeCropped) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "AddressSanitizer ends the process where memory runs out";
+#endif
+  ASSERT_EQ(run({"generate", "torus", "--size", "64", "-o", "t.vdb"}).exit_code, 0);
+  ASSERT_EQ(run({"loops", "t.vdb", "--surface", "t.stl"}).exit_code, 0);
+  const ProcessResult failed = run({"count", "t.stl", "--resolution", "64", "--max-memory", "40M"});
+  ASSERT_EQ(failed.exit_code, 4) << failed.err;
+  EXPECT_EQ(failed.err.find("--crop"), std::string::npos) << failed.err;
+  EXPECT_NE(failed.err.find("larger voxels"), std::string::npos) << failed.err;
+}
+
+TEST_F(CommandLine, FlagsThatMeanNothingHereAreRefused) {
+  scratch_.write("ring_5x5x3_uint8.raw", ring_bytes());
+  expect_failure({"generate", "torus", "--holes", "3", "-o", "t.vdb"}, 2, "it is for plate");
+  expect_failure({"generate", "plate", "--cells", "3", "-o", "t.vdb"}, 2, "it is for lattice");
+  expect_failure({"loops", "ring_5x5x3_uint8.raw", "--iso", "0.5", "--triangles", "9"}, 2,
+                 "without --html");
+  expect_failure({"repair", "ring_5x5x3_uint8.raw", "--iso", "0.5", "--genus", "0", "--dry-run",
+                  "-o", "r.raw"},
+                 2, "--dry-run");
+}
+
 TEST_F(CommandLine, GenerateRefusesANameThatContradictsTheShape) {
   expect_failure({"generate", "torus", "--size", "64", "-o", "t_10x10x10_uint8.raw"}, 2,
                  "states 10 x 10 x 10 voxels of uint8, but the shape has 64 x 64 x 26 of float32");

@@ -25,7 +25,9 @@ struct TiffSample {
   std::uint16_t samples = 1;
   std::uint16_t format = SAMPLEFORMAT_UINT;
   std::string description{};
-  float per_unit = 0.0F;    // pixels, along x and y; 0: not stated
+  float per_unit = 0.0F;          // pixels, along x and y; 0: not stated
+  int white_is_zero_from = 1000;  // pages from this one on are negatives
+  int reduced_from = 1000;        // and are previews
   std::uint32_t depth = 1;  // slices within each page (ImageDepth), which must be tiled, in this
                             // machine's byte order, without compression or by ADOBE_DEFLATE
 };
@@ -38,7 +40,10 @@ inline void write_tiff_page(TIFF* file, const TiffSample& sample, int z) {
   TIFFSetField(file, TIFFTAG_SAMPLEFORMAT, sample.format);
   TIFFSetField(file, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
   TIFFSetField(file, TIFFTAG_PHOTOMETRIC,
-               sample.samples == 3 ? PHOTOMETRIC_RGB : PHOTOMETRIC_MINISBLACK);
+               sample.samples == 3              ? PHOTOMETRIC_RGB
+               : z >= sample.white_is_zero_from ? PHOTOMETRIC_MINISWHITE
+                                                : PHOTOMETRIC_MINISBLACK);
+  if (z >= sample.reduced_from) TIFFSetField(file, TIFFTAG_SUBFILETYPE, FILETYPE_REDUCEDIMAGE);
   TIFFSetField(file, TIFFTAG_COMPRESSION, sample.compression);
   if (!sample.description.empty()) {
     TIFFSetField(file, TIFFTAG_IMAGEDESCRIPTION, sample.description.c_str());

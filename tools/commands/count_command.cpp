@@ -43,10 +43,12 @@ void complete_hint(RunInput& run) {
 CountRun counted_run(const CountFlags& flags, const Progress& progress) {
   CountRun run{read_run(flags.volume, flags.level)};
   complete_hint(run);
-  run.analysis = count_topology(view(run.volume), run.level,
-                                {.boundary = boundary_of(flags.level),
-                                 .progress = progress,
-                                 .max_bytes = run.cost.max_bytes});
+  run.analysis = about_file(run.file, [&] {
+    return count_topology(view(run.volume), run.level,
+                          {.boundary = boundary_of(flags.level),
+                           .progress = progress,
+                           .max_bytes = run.cost.max_bytes});
+  });
   check_counts(run.analysis);
   return run;
 }

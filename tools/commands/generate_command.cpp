@@ -87,6 +87,12 @@ void generate(const GenerateFlags& flags) {
             << read_back_flags(path, shape) << '\n';
 }
 
+void refuse_without_shape(const CLI::App& command, const std::string& flag,
+                          const std::string& shape, const std::string& asked) {
+  if (command.get_option(flag)->count() == 0 || asked == shape) return;
+  throw InvalidArgument(flag + " means nothing for " + asked + ": it is for " + shape);
+}
+
 }  // namespace
 
 void add_generate_command(CLI::App& app) {
@@ -117,7 +123,11 @@ void add_generate_command(CLI::App& app) {
       "  isoloop generate engine_block --size 128 -o block.vdb\n"
       "  isoloop generate plate --size 200 --holes 12 -o plate.raw\n"
       "  isoloop generate lattice --size 128 --cells 4 -o lattice_128x128x128_float32.raw");
-  command.callback([flags] { generate(*flags); });
+  command.callback([flags, &command] {
+    refuse_without_shape(command, "--holes", "plate", flags->shape);
+    refuse_without_shape(command, "--cells", "lattice", flags->shape);
+    generate(*flags);
+  });
 }
 
 }  // namespace isoloop

@@ -213,7 +213,11 @@ void add_loops_command(CLI::App& app) {
       "  isoloop loops engine_256x256x128_uint8.raw --iso 70 --ply loops.ply\n"
       "  isoloop loops part.vdb --side tunnel --features --labels labels.nrrd --csv holes.csv\n"
       "  isoloop loops scan.raw --dims 512 512 300 --type i16 --iso 400 --json - > loops.json");
-  command.callback([flags] { find(*flags); });
+  command.callback([flags, &command] {
+    if (command.get_option("--triangles")->count() > 0 && flags->html.empty())
+      throw InvalidArgument("--triangles means nothing without --html, whose page it is for");
+    find(*flags);
+  });
 }
 
 }  // namespace isoloop

@@ -110,6 +110,9 @@ void check_together(const CommandFlags& flags) {
     throw InvalidArgument(
         "--crop does not go with repair, which writes the whole file with some voxels changed");
   }
+  if (!flags.output.empty() && flags.dry_run) {
+    throw InvalidArgument("--output does not go with --dry-run, which writes no volume");
+  }
   if (flags.output.empty() && !flags.dry_run) {
     throw InvalidArgument("give --output FILE for the repaired volume, or --dry-run");
   }
@@ -119,11 +122,13 @@ RepairRun repaired_run(const CommandFlags& flags, const RepairRequest& request,
                        const Progress& progress) {
   RepairRun run{read_run(flags.volume, flags.level)};
   if (!flags.dry_run) check_format(flags, run.volume);
-  run.repair = in_stage("repair", [&] {
-    return repair_loops(view(run.volume), run.level, request,
-                        {.boundary = boundary_of(flags.level),
-                         .progress = progress,
-                         .max_bytes = run.cost.max_bytes});
+  run.repair = about_file(run.file, [&] {
+    return in_stage("repair", [&] {
+      return repair_loops(view(run.volume), run.level, request,
+                          {.boundary = boundary_of(flags.level),
+                           .progress = progress,
+                           .max_bytes = run.cost.max_bytes});
+    });
   });
   check_counts(run.repair.after);
   check_loops(run.repair.after);

@@ -64,7 +64,9 @@ void check_engine_flags(const LoopsInput& input) {
 }
 
 LoopsRun find_run(const LoopsInput& input, const Progress& progress) {
-  return on_threads(input.threads, [&] { return found_run(input, progress); });
+  return about_file(input.volume.file, [&] {
+    return on_threads(input.threads, [&] { return found_run(input, progress); });
+  });
 }
 
 }  // namespace isoloop

@@ -10,6 +10,7 @@
 #include "tools/words/sentence.h"
 #include "tools/words/value_hints.h"
 #include "volume/base/memory_limit.h"
+#include "volume/mesh/mesh.h"
 
 namespace isoloop {
 
@@ -31,9 +32,11 @@ RunInput read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flags
   if (level_flags.open_boundary) options.margin = VdbMargin::none;
   const std::uint64_t available = default_voxel_limit();
   if (options.max_bytes > 0) cap_memory(options.max_bytes);
-  run.volume = in_stage("read", [&] { return read_volume(volume_flags.file, options); });
+  run.volume = about_file(run.file, [&] {
+    return in_stage("read", [&] { return read_volume(volume_flags.file, options); });
+  });
   const std::uint64_t limit = options.max_bytes > 0 ? options.max_bytes : available;
-  run.cost.max_bytes = limit - std::min(limit, peak_resident_bytes());
+  run.cost.max_bytes = limit - std::min(limit, resident_bytes());
   print_warnings(std::cerr, run.volume);
   run.range = value_range(run.volume);
   run.level = iso_level(level_flags, run.volume, run.range);
@@ -44,6 +47,15 @@ RunInput read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flags
   run.cost.read_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return run;
+}
+
+LimitExceeded advised_for(const std::string& file, const LimitExceeded& error) {
+  if (!is_mesh(file)) return error;
+  Finding finding = error.finding;
+  std::replace(finding.advice.begin(), finding.advice.end(), Advice::take_part,
+               Advice::take_larger_voxels);
+  std::erase(finding.advice, Advice::halve_resolution);
+  return LimitExceeded(finding, error.excess);
 }
 
 }  // namespace isoloop

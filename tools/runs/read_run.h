@@ -2,7 +2,9 @@
 #pragma once
 
 #include <iosfwd>
+#include <string>
 
+#include "core/base/errors.h"
 #include "tools/flags/input_flags.h"
 #include "tools/runs/run_result.h"
 
@@ -15,5 +17,19 @@ void print_warnings(std::ostream& out, const Volume& volume);
 /// still empty. --max-memory, if given, bounds the process from here on. Throws as
 /// check_flags_agree, check_flags_fit_file, read_options, read_volume and iso_level do.
 RunInput read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flags);
+
+/// The error, with the advice to read a part made one to take larger voxels if `file` is a mesh, of
+/// which no part can be read.
+LimitExceeded advised_for(const std::string& file, const LimitExceeded& error);
+
+/// Returns work(), which is about `file`. Throws what it throws, advised_for() the file.
+template <class Work>
+auto about_file(const std::string& file, const Work& work) -> decltype(work()) {
+  try {
+    return work();
+  } catch (const LimitExceeded& error) {
+    throw advised_for(file, error);
+  }
+}
 
 }  // namespace isoloop

@@ -40,6 +40,9 @@ struct RunCost {
 /// Largest resident set of this process so far, in bytes.
 std::uint64_t peak_resident_bytes();
 
+/// Of this process now, or the largest so far where the system does not tell.
+std::uint64_t resident_bytes();
+
 /// What every run has.
 struct RunInput {
   std::string file{};  // as named on the command line

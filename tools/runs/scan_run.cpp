@@ -10,6 +10,7 @@
 #include "core/base/errors.h"
 #include "core/scan/plateau.h"
 #include "core/scan/scan.h"
+#include "tools/runs/read_run.h"
 #include "tools/words/number_text.h"
 
 namespace isoloop {
@@ -81,11 +82,13 @@ std::vector<double> scan_values(const ScanRange& range, const Volume& volume,
 IsoScan scan_of(const RunInput& run, const std::vector<double>& isos, const Progress& progress) {
   const Index3& dims = run.volume.dims;
   IsoScan scan;
-  scan.rows = scan_topology(view(run.volume), isos,
-                            {.inside = run.level.inside,
-                             .topology = run.level.topology,
-                             .progress = progress,
-                             .max_bytes = run.cost.max_bytes});
+  scan.rows = about_file(run.file, [&] {
+    return scan_topology(view(run.volume), isos,
+                         {.inside = run.level.inside,
+                          .topology = run.level.topology,
+                          .progress = progress,
+                          .max_bytes = run.cost.max_bytes});
+  });
   scan.plateaus = find_plateaus(scan.rows, dims[0] * dims[1] * dims[2]);
   scan.proposed = proposed_row(scan.rows, scan.plateaus);
   return scan;

@@ -9,7 +9,8 @@ namespace isoloop {
 
 std::string slice_text(const SliceImage& image) {
   return std::to_string(image.width) + " x " + std::to_string(image.height) + " " +
-         type_name(static_cast<VoxelType>(image.type));
+         type_name(static_cast<VoxelType>(image.type)) +
+         (image.white_is_zero ? ", 0 is white" : "");
 }
 
 std::uint64_t slice_bytes(const SliceImage& image, const std::string& what) {

@@ -14,6 +14,7 @@ struct SliceImage {
   std::int64_t width = 0;               // pixels
   std::int64_t height = 0;              // pixels
   StoredType type = StoredType::uint8;  // no integers of 64 bits
+  bool white_is_zero = false;           // the picture is a negative; its numbers are read as stored
 
   friend bool operator==(const SliceImage&, const SliceImage&) = default;
 };

@@ -15,6 +15,7 @@ struct Stated {
   std::optional<double> reconstructed{};  // of a voxel
   std::optional<double> recorded{};       // of a pixel of the scanner's images
   double step = 1.0;                      // slices from one to the next
+  std::string odd{};                      // a line that states no length
 };
 
 Stated stated_in(const std::string& text) {
@@ -27,13 +28,18 @@ Stated stated_in(const std::string& text) {
     const std::size_t equals = all.find('=');
     if (equals == std::string::npos) continue;
     const std::string key(trimmed(std::string_view(all).substr(0, equals)));
-    const auto number = number_of(trimmed(std::string_view(all).substr(equals + 1)));
-    if (!number || !is_spacing(*number)) continue;
     const bool is_reconstruction = section == "[reconstruction]";
-    if (key == "pixel size (um)" || key == "image pixel size (um)") {
-      (is_reconstruction ? stated.reconstructed : stated.recorded) = *number;
-    } else if (is_reconstruction && key == "section to section step") {
+    const bool is_voxel = is_reconstruction && key == "pixel size (um)";
+    const bool is_pixel = key == "image pixel size (um)";
+    const bool is_step = is_reconstruction && key == "section to section step";
+    if (!is_voxel && !is_pixel && !is_step) continue;
+    const auto number = number_of(trimmed(std::string_view(all).substr(equals + 1)));
+    if (!number || !is_spacing(*number)) {
+      stated.odd = trimmed(line);
+    } else if (is_step) {
       stated.step = *number;
+    } else {
+      (is_voxel ? stated.reconstructed : stated.recorded) = *number;
     }
   }
   return stated;
@@ -55,6 +61,11 @@ std::optional<SliceLog> read_slice_logs(const std::vector<std::filesystem::path>
   std::vector<SliceLog> recorded;
   for (const auto& file : logs) {
     const Stated stated = stated_in(beginning_of(file));
+    if (!stated.odd.empty()) {
+      warning = Finding{.text = file.filename().string() + " states '" + stated.odd +
+                                "', which is no length, so that line is passed over",
+                        .advice = {Advice::state_spacing}};
+    }
     if (stated.reconstructed) {
       const double size = *stated.reconstructed;
       reconstructed.push_back({file, {size, size, size * stated.step}});

@@ -29,10 +29,16 @@ void read_pages(const TiffFile& file, const TiffPages& pages, const TiffPage& fi
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     file.open_page(pages.at[chosen[i]]);
     const TiffPage page = page_of(file);
+    if (page.reduced) {
+      refuse(file.what(),
+             "its page " + std::to_string(chosen[i]) +
+                 " is a reduced picture of another one; save it without previews",
+             Fault::unsupported);
+    }
     if (page.image != first.image || page.depth != first.depth) {
       refuse(file.what(), "its page " + std::to_string(chosen[i]) +
-                              " differs from the first in size or type (slices of one volume are "
-                              "alike)");
+                              " differs from the first in size, type or whether 0 is white; "
+                              "save slices that are alike");
     }
     read_page(file, page, limits, to.subspan(i * bytes, bytes));
   }

@@ -178,6 +178,9 @@ TiffPage page_of(const TiffFile& file) {
   page.image.width = field<std::uint32_t>(file, TIFFTAG_IMAGEWIDTH, 0);
   page.image.height = field<std::uint32_t>(file, TIFFTAG_IMAGELENGTH, 0);
   page.image.type = type_of(file);
+  page.image.white_is_zero = field<std::uint16_t>(file, TIFFTAG_PHOTOMETRIC,
+                                                  PHOTOMETRIC_MINISBLACK) == PHOTOMETRIC_MINISWHITE;
+  page.reduced = (field<std::uint32_t>(file, TIFFTAG_SUBFILETYPE, 0) & FILETYPE_REDUCEDIMAGE) != 0;
   page.depth = std::max<std::int64_t>(1, field<std::uint32_t>(file, TIFFTAG_IMAGEDEPTH, 1));
   page.plain =
       field<std::uint16_t>(file, TIFFTAG_COMPRESSION, COMPRESSION_NONE) == COMPRESSION_NONE &&

@@ -45,6 +45,7 @@ class TiffFile {
 struct TiffPage {
   SliceImage image{};
   std::int64_t depth = 1;          // slices within the page (tag ImageDepth)
+  bool reduced = false;            // a smaller picture of another page
   bool plain = true;               // stored pixel after pixel, neither packed nor in tiles
   double pixels_per_unit_x = 0.0;  // of `resolution_unit`; 0: not stated
   double pixels_per_unit_y = 0.0;

@@ -129,6 +129,16 @@ TEST_F(Tiff, ABombIsRefusedBeforeMemoryIsAskedFor) {
   EXPECT_EQ(test::error_of<LimitExceeded>([&] { read(bytes); }).excess.unit, Excess::Unit::bytes);
 }
 
+TEST_F(Tiff, NegativesAmongPagesAndPreviewsAreRefused) {
+  EXPECT_TRUE(contains(
+      message_of<InvalidInput>([&] { read(bytes_of({.pages = 3, .white_is_zero_from = 1})); }),
+      "page 1 differs from the first in size, type or whether 0 is white"));
+  EXPECT_EQ(read(bytes_of({.pages = 3, .white_is_zero_from = 0})).dims, (Index3{5, 4, 3}));
+  EXPECT_TRUE(
+      contains(message_of<InvalidInput>([&] { read(bytes_of({.pages = 3, .reduced_from = 2})); }),
+               "page 2 is a reduced picture"));
+}
+
 TEST_F(Tiff, FlippedBytesAreNoticedOrHarmless) {
   for (const TiffSample& sample : every_sort_of_tiff())
     test::expect_flipped_bytes_are_noticed_or_harmless(
