@@ -7,25 +7,13 @@
 #include "core/base/errors.h"
 #include "core/loops/killing_border.h"
 #include "core/z2/z2_basis.h"
+#include "tests/samples/classified.h"
 #include "tests/samples/core_fixture.h"
 
 namespace isoloop {
 namespace {
 
-using testing::Prepared;
-
-struct Classified {
-  explicit Classified(const testing::SmallVolume& volume)
-      : prepared(volume, GeodesicMode::hierarchy),
-        inside(prepared.pass_on(Side::inside)),
-        outside(prepared.pass_on(Side::outside)),
-        classes(surface_classes(prepared.surface, *prepared.inside, inside, *prepared.outside,
-                                outside)) {}
-  Prepared prepared;
-  DualPass inside;
-  DualPass outside;
-  SurfaceClasses classes;
-};
+using testing::Classified;
 
 TEST(Certificate, EveryTriangleOfMIsTrivial) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {

@@ -9,6 +9,7 @@
 
 #include "core/sizes/bounded_search.h"
 #include "tests/oracles/exact_basis.h"
+#include "tests/samples/classified.h"
 #include "tests/samples/core_fixture.h"
 
 namespace isoloop {
@@ -16,21 +17,8 @@ namespace {
 
 constexpr double any_length = std::numeric_limits<double>::infinity();
 
-struct Solid {
-  explicit Solid(const testing::SmallVolume& volume)
-      : prepared(volume, GeodesicMode::hierarchy),
-        inside(prepared.pass_on(Side::inside)),
-        outside(prepared.pass_on(Side::outside)),
-        classes(surface_classes(prepared.surface, *prepared.inside, inside, *prepared.outside,
-                                outside)) {}
-  testing::Prepared prepared;
-  DualPass inside;
-  DualPass outside;
-  SurfaceClasses classes;
-};
-
-struct Torus : Solid {
-  Torus() : Solid(testing::torus({24, 24, 24})) {}
+struct Torus : testing::Classified {
+  Torus() : testing::Classified(testing::torus({24, 24, 24})) {}
 };
 
 /// Generator 0 is that of the inside, 1 that of the outside: a handle loop is {} inside, {0}
@@ -125,7 +113,7 @@ TEST(LoopSearch, ReturnsNothingWhereNoClassIsWanted) {
 
 TEST(LoopSearch, AllSheetsFindTheShortestClosedWalkOfEachClass) {
   // Against Dijkstra's search on pairs of a vertex and a class, written out with maps.
-  const Solid solid(testing::smooth_noise({10, 10, 10}, 4, 1));
+  const testing::Classified solid(testing::smooth_noise({10, 10, 10}, 4, 1));
   const Surface& surface = solid.prepared.surface;
   LoopSearch search(surface, solid.classes, Side::inside);
   search.look_for(any_handle());
@@ -150,7 +138,7 @@ TEST(LoopSearch, AllSheetsFindTheShortestClosedWalkOfEachClass) {
 }
 
 TEST(LoopSearch, OneSheetFindsTheShortestClosedWalkThatCrosses) {
-  const Solid solid(testing::smooth_noise({10, 10, 10}, 4, 1));
+  const testing::Classified solid(testing::smooth_noise({10, 10, 10}, 4, 1));
   const Surface& surface = solid.prepared.surface;
   LoopSearch search(surface, solid.classes, Side::inside);
   search.look_for({{}, [](auto) { return 0.0; }});

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/oracles/cut_of_levels.h"
+
 namespace isoloop {
 namespace {
 
@@ -22,26 +24,6 @@ struct Falling {
   }
 };
 
-std::uint8_t inside_bits(const CornerLevels& levels) {
-  unsigned bits = 0;
-  for (unsigned c = 0; c < 8; ++c) bits |= (levels[c] >= 0 ? 1U : 0U) << c;
-  return static_cast<std::uint8_t>(bits);
-}
-
-std::uint8_t joined_bits(const CornerLevels& levels) {
-  unsigned joined = 0;
-  for (int face = 0; face < 6; ++face) {
-    std::array<double, 4> ring{};
-    unsigned bits = 0;
-    for (unsigned i = 0; i < 4; ++i) {
-      ring[i] = levels[face_ring(face)[i]];
-      bits |= (ring[i] >= 0 ? 1U : 0U) << i;
-    }
-    if (is_ambiguous(bits) && inside_is_joined(ring)) joined |= 1U << face;
-  }
-  return static_cast<std::uint8_t>(joined);
-}
-
 /// Ranks by looking at every step.
 CubeRanks ranks_of(const Falling& cube) {
   CubeRanks ranks;
@@ -49,8 +31,9 @@ CubeRanks ranks_of(const Falling& cube) {
     const CornerLevels levels = cube.at(step);
     for (std::size_t c = 0; c < 8; ++c)
       if (levels[c] >= 0) ranks.corner[c] = static_cast<Step>(step + 1);
+    const unsigned joined_faces = testing::cut_of(levels).joined;
     for (std::size_t f = 0; f < 6; ++f) {
-      if ((joined_bits(levels) >> f & 1) == 0) continue;
+      if ((joined_faces >> f & 1U) == 0) continue;
       Steps& joined = ranks.face_joined[f];
       if (joined.empty()) joined.first = step;
       joined.last = static_cast<Step>(step + 1);
@@ -75,19 +58,15 @@ TEST(CubeSweep, CountsTheDiscsOfEveryStep) {
         },
         [&](Step step, const TunnelEnds& ends) {
           ++joined_by_tunnel[step];
-          const unsigned inside = inside_bits(cube.at(step));
+          const unsigned inside = testing::cut_of(cube.at(step)).inside;
           EXPECT_EQ(inside >> ends.hub & 1U, inside >> ends.partner & 1U);
           EXPECT_EQ(inside >> ends.hub & 1U, ends.side == Side::inside ? 1U : 0U);
         });
     for (Step step = 0; step < step_count; ++step) {
-      const CornerLevels levels = cube.at(step);
-      const CubeCut& plain = cube_cut(inside_bits(levels), joined_bits(levels), false);
-      const auto hub = tunnel_hub(plain, levels);
-      tunnels += hub ? 1 : 0;
-      const CubeCut& cut =
-          hub ? tunnel_cut(inside_bits(levels), joined_bits(levels), false, *hub).cut : plain;
-      ASSERT_EQ(discs[step], cut.disc_count);
-      ASSERT_EQ(joined_by_tunnel[step], hub ? 1 : 0);
+      const testing::LevelCut cut = testing::cut_of(cube.at(step));
+      tunnels += cut.hub ? 1 : 0;
+      ASSERT_EQ(discs[step], cut.cut->disc_count);
+      ASSERT_EQ(joined_by_tunnel[step], cut.hub ? 1 : 0);
     }
   }
   EXPECT_GT(tunnels, 100);
