@@ -1,6 +1,7 @@
 #include "tools/runs/loops_run.h"
 
 #include <iostream>
+#include <utility>
 
 #include "core/base/errors.h"
 #include "core/base/stage.h"
@@ -10,19 +11,18 @@
 #include "tools/words/sentence.h"
 
 namespace isoloop {
-namespace {
 
-LoopsRun found_run(const LoopsInput& input, const Progress& progress) {
+LoopsRun found_run(RunInput volume, const LoopsInput& input, const Progress& progress) {
   const PairOptions pair = pair_options(input.engine);
   const Boundary boundary = boundary_of(input.level);
   const Tighten tighten = tighten_of(input.engine, boundary);
-  LoopsRun run{{read_run(input.volume, input.level)}};
+  LoopsRun run{{std::move(volume)}};
   run.geodesic = input.geodesic == "exact" ? GeodesicMode::exact : GeodesicMode::hierarchy;
   run.engine = engine_of(input.engine);
   run.refinement = pair.refinement;
   run.tighten = tighten;
   run.filter = input.filter;
-  run.analysis = find_loops(view(run.volume), run.level,
+  run.analysis = find_loops(voxels_of(run), run.level,
                             {.boundary = boundary,
                              .geodesic = run.geodesic,
                              .engine = run.engine,
@@ -44,19 +44,16 @@ LoopsRun found_run(const LoopsInput& input, const Progress& progress) {
       });
     } catch (const LimitExceeded& error) {
       if (!input.features_may_lack) throw;
-      std::cerr << "isoloop: warning: features are left out: " << sentence_of(error.finding)
-                << '\n';
+      run.left_out = "features are left out: " + sentence_of(error.finding);
     }
   }
   if (input.with_scan && boundary == Boundary::closed && !run.level.upper) {
     if (progress) progress("scan", 0.95);
-    run.scan =
-        in_stage("scan", [&] { return scan_of(run, scan_values({}, run.volume, run.range), {}); });
+    run.scan = in_stage(
+        "scan", [&] { return scan_of(run, scan_values({}, voxels_of(run), run.range), {}); });
   }
   return run;
 }
-
-}  // namespace
 
 void check_engine_flags(const LoopsInput& input) {
   pair_options(input.engine);
@@ -65,7 +62,11 @@ void check_engine_flags(const LoopsInput& input) {
 
 LoopsRun find_run(const LoopsInput& input, const Progress& progress) {
   return about_file(input.volume.file, [&] {
-    return on_threads(input.threads, [&] { return found_run(input, progress); });
+    return on_threads(input.threads, [&] {
+      LoopsRun run = found_run(read_run(input.volume, input.level), input, progress);
+      if (!run.left_out.empty()) std::cerr << "isoloop: warning: " << run.left_out << '\n';
+      return run;
+    });
   });
 }
 

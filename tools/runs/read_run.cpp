@@ -11,6 +11,7 @@
 #include "tools/words/value_hints.h"
 #include "volume/base/memory_limit.h"
 #include "volume/mesh/mesh.h"
+#include "volume/voxels/value_range.h"
 
 namespace isoloop {
 
@@ -20,6 +21,24 @@ void print_warnings(std::ostream& out, const Volume& volume) {
   }
 }
 
+void settle_level(RunInput& run, const LevelFlags& flags, bool is_mask_of_labels) {
+  run.range = value_range(voxels_of(run));
+  run.level = iso_level(flags, run.volume, run.range);
+  if (is_mask(run.range) && !run.volume.level_set && !is_mask_of_labels &&
+      flags.connectivity.empty()) {
+    run.hint = mask_hint(run.range);
+  }
+}
+
+Volume read_flagged(const VolumeFlags& flags, VdbMargin margin) {
+  check_flags_fit_file(flags);
+  ReadOptions options = read_options(flags);
+  options.margin = margin;
+  return about_file(flags.file, [&] {
+    return in_stage("read", [&] { return read_volume(flags.file, options); });
+  });
+}
+
 RunInput read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flags) {
   const auto start = std::chrono::steady_clock::now();
   RunInput run;
@@ -27,23 +46,16 @@ RunInput read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flags
   run.nan_as = volume_flags.nan_as;
   check_flags_agree(volume_flags, level_flags);
   check_flags_fit_file(volume_flags);
-  ReadOptions options = read_options(volume_flags);
-  // A layer of background would close the surface that is to end there.
-  if (level_flags.open_boundary) options.margin = VdbMargin::none;
+  const std::uint64_t asked = read_options(volume_flags).max_bytes;
   const std::uint64_t available = default_voxel_limit();
-  if (options.max_bytes > 0) cap_memory(options.max_bytes);
-  run.volume = about_file(run.file, [&] {
-    return in_stage("read", [&] { return read_volume(volume_flags.file, options); });
-  });
-  const std::uint64_t limit = options.max_bytes > 0 ? options.max_bytes : available;
+  if (asked > 0) cap_memory(asked);
+  // A layer of background would close the surface that is to end there.
+  run.volume = read_flagged(volume_flags,
+                            level_flags.open_boundary ? VdbMargin::none : VdbMargin::background);
+  const std::uint64_t limit = asked > 0 ? asked : available;
   run.cost.max_bytes = limit - std::min(limit, resident_bytes());
   print_warnings(std::cerr, run.volume);
-  run.range = value_range(run.volume);
-  run.level = iso_level(level_flags, run.volume, run.range);
-  if (is_mask(run.range) && !run.volume.level_set && volume_flags.label.empty() &&
-      level_flags.connectivity.empty()) {
-    run.hint = mask_hint(run.range);
-  }
+  settle_level(run, level_flags, !volume_flags.label.empty());
   run.cost.read_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return run;

@@ -13,6 +13,14 @@ namespace isoloop {
 /// One line for each of the volume's warnings.
 void print_warnings(std::ostream& out, const Volume& volume);
 
+/// The volume that the flags ask for. Throws as check_flags_fit_file, read_options and read_volume
+/// do.
+Volume read_flagged(const VolumeFlags& flags, VdbMargin margin);
+
+/// Takes the range, the level and the hint from the voxels. `is_mask_of_labels`: they were made
+/// from labels, which is no reason for a hint. Throws as iso_level does.
+void settle_level(RunInput& run, const LevelFlags& flags, bool is_mask_of_labels);
+
 /// Reads the volume, prints its warnings to standard error, and settles the level; the analysis is
 /// still empty. --max-memory, if given, bounds the process from here on. Throws as
 /// check_flags_agree, check_flags_fit_file, read_options, read_volume and iso_level do.
