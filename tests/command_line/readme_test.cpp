@@ -130,7 +130,8 @@ std::set<std::string> flags_in(const std::string& text) {
 TEST(Manual, ExplainsEveryFlagAndNoOther) {
   const ScratchDirectory scratch;
   std::string help;
-  for (const char* command : {"info", "count", "scan", "loops", "view", "repair", "generate"})
+  for (const char* command :
+       {"info", "count", "scan", "loops", "view", "repair", "generate", "demo"})
     help += run_isoloop(scratch.path(), {command, "-h"}).out;
   help += run_isoloop(scratch.path(), {"-h"}).out;
   std::set<std::string> known = flags_in(help);

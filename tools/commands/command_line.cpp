@@ -8,11 +8,13 @@
 
 #include "core/base/errors.h"
 #include "tools/commands/count_command.h"
+#include "tools/commands/demo_command.h"
 #include "tools/commands/generate_command.h"
 #include "tools/commands/info_command.h"
 #include "tools/commands/loops_command.h"
 #include "tools/commands/repair_command.h"
 #include "tools/commands/scan_command.h"
+#include "tools/commands/slicer_module.h"
 #include "tools/commands/view_command.h"
 #include "tools/flags/input_flags.h"
 #include "tools/runs/output_files.h"
@@ -33,13 +35,20 @@ void check_command(const CLI::App& app, const std::vector<std::string>& argument
                         " (see isoloop -h)");
 }
 
-void parse_and_run(const std::vector<std::string>& arguments) {
+void parse_and_run(const std::vector<std::string>& given) {
+  const std::vector<std::string> arguments = with_slicer_command(given);
   CLI::App app(
       "isoloop finds, proves and measures the handle loops and tunnel loops of an "
       "iso-surface in a volume.");
   app.name("isoloop");
   app.require_subcommand(1);
-  app.set_version_flag("--version", "isoloop " ISOLOOP_VERSION);
+  app.set_version_flag("--version", "isoloop " ISOLOOP_VERSION "\nbuilt with " ISOLOOP_BUILT_WITH);
+  app.add_flag_callback("--xml",
+                        [] {
+                          std::cout << slicer_descriptor();
+                          throw CLI::Success();
+                        })
+      ->group("");
   app.footer(
       "Examples:\n"
       "  isoloop generate engine_block --size 128 -o block.vdb\n"
@@ -54,6 +63,7 @@ void parse_and_run(const std::vector<std::string>& arguments) {
   add_view_command(app);
   add_repair_command(app);
   add_generate_command(app);
+  add_demo_command(app);
   check_command(app, arguments);
 
   std::vector<std::string> reversed = tie_numbers_to_flags(arguments);
