@@ -171,7 +171,11 @@ std::vector<float> pair_lengths(const Surface& surface, const VertexPairs& pairs
   ClusterLevel level = finest_level(surface);
   const double voxel = block_side(surface.spacing);
   if (mode == GeodesicMode::exact) {
-    search_pairs(surface.graph, level.centers, pairs, infinite, voxel / 2, lengths);
+    // Tall voxels have edges far longer than wide ones.
+    const auto& edges = surface.graph.lengths;
+    const float longest = edges.empty() ? 0.0F : *std::max_element(edges.begin(), edges.end());
+    const double bucket = std::max(voxel / 2, longest / 32.0);
+    search_pairs(surface.graph, level.centers, pairs, infinite, bucket, lengths);
     return lengths;
   }
   double searched = exact_radius * voxel;
