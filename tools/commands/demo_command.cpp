@@ -90,9 +90,9 @@ void add_demo_command(CLI::App& app) {
   add_progress_flags(command, flags->progress);
   command.footer(
       "Examples:\n"
-      "  isoloop demo\n"
-      "  isoloop demo -o /tmp/demo\n"
-      "  isoloop demo --quiet");
+      "  isoloop demo -o demo\n"
+      "  isoloop demo --quiet\n"
+      "  isoloop demo --log-json");
   command.callback([flags] { show(*flags); });
 }
 

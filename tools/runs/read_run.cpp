@@ -14,6 +14,15 @@
 #include "volume/voxels/value_range.h"
 
 namespace isoloop {
+namespace {
+
+Volume volume_of(const VolumeFlags& flags, const ReadOptions& options) {
+  return about_file(flags.file, [&] {
+    return in_stage("read", [&] { return read_volume(flags.file, options); });
+  });
+}
+
+}  // namespace
 
 void print_warnings(std::ostream& out, const Volume& volume) {
   for (const std::string& warning : sentences_of(volume.warnings)) {
@@ -34,9 +43,7 @@ Volume read_flagged(const VolumeFlags& flags, VdbMargin margin) {
   check_flags_fit_file(flags);
   ReadOptions options = read_options(flags);
   options.margin = margin;
-  return about_file(flags.file, [&] {
-    return in_stage("read", [&] { return read_volume(flags.file, options); });
-  });
+  return volume_of(flags, options);
 }
 
 RunInput read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flags) {
@@ -46,13 +53,13 @@ RunInput read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flags
   run.nan_as = volume_flags.nan_as;
   check_flags_agree(volume_flags, level_flags);
   check_flags_fit_file(volume_flags);
-  const std::uint64_t asked = read_options(volume_flags).max_bytes;
-  const std::uint64_t available = default_voxel_limit();
-  if (asked > 0) cap_memory(asked);
+  ReadOptions options = read_options(volume_flags);
   // A layer of background would close the surface that is to end there.
-  run.volume = read_flagged(volume_flags,
-                            level_flags.open_boundary ? VdbMargin::none : VdbMargin::background);
-  const std::uint64_t limit = asked > 0 ? asked : available;
+  if (level_flags.open_boundary) options.margin = VdbMargin::none;
+  const std::uint64_t available = default_voxel_limit();
+  if (options.max_bytes > 0) cap_memory(options.max_bytes);
+  run.volume = volume_of(volume_flags, options);
+  const std::uint64_t limit = options.max_bytes > 0 ? options.max_bytes : available;
   run.cost.max_bytes = limit - std::min(limit, resident_bytes());
   print_warnings(std::cerr, run.volume);
   settle_level(run, level_flags, !volume_flags.label.empty());
