@@ -30,6 +30,11 @@ class SparseSizes {
     return not_zero_[grid_edge] ? sizes_[not_zero_.rank(grid_edge)] : 0.0F;
   }
 
+  /// Bit i: whether the edge along `axis` at lattice vertex `first` + i is one of those not 0.
+  std::uint64_t not_zero(std::uint32_t axis, std::uint32_t first) const {
+    return not_zero_.bits(axis, first);
+  }
+
   /// Sets those that are not 0 to size_of(grid edge), which many threads call.
   template <class SizeOf>
   void set_all(const SizeOf& size_of) {
