@@ -357,7 +357,7 @@ class Loops(SurfaceCounts, Sequence[Loop]):
 
 
 class Plateau(NamedTuple):
-    """Iso values between which all counts are the same."""
+    """Iso values between which all counts are the same, but for what the scan sets aside."""
 
     least: float
     most: float
@@ -372,11 +372,14 @@ class Scan(_Placed):
     Attributes
     ----------
     rows : structured array
-        One row for each iso value: iso, b0, b1, b2, euler, genus, inside_voxels.
+        One row for each iso value: iso, b0, b1, b2, euler, genus, inside_voxels, and large_b0,
+        large_b1, large_b2 without what is set aside.
     plateaus : list of Plateau
         In the order of the rows.
     proposed : float or None
-        The iso value in the middle of the widest meaningful plateau.
+        The iso value to look at first.
+    ignored_below : int
+        Voxels: what is set aside, as components of less.
     """
 
     def __init__(self, run: _core.ScanRun) -> None:
@@ -389,6 +392,7 @@ class Scan(_Placed):
         for name, column in columns.items():
             self.rows[name] = column
         self.plateaus = [self._plateau(*plateau) for plateau in run.plateaus()]
+        self.ignored_below: int = run.ignored_below
         self.proposed: Optional[float] = (
             None if run.proposed is None else float(self.rows["iso"][run.proposed])
         )

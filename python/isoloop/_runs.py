@@ -16,7 +16,7 @@ from ._results import Loops, Page, Repair, Scan, SurfaceCounts
 from ._volume import Path, Progress, Volume, read, warn
 
 AnyVolume = Union[Volume, ArrayLike, "os.PathLike[str]"]
-Iso = Union[None, float, Sequence[float]]
+Iso = Union[None, float, str, Sequence[float]]
 Labels = Union[None, int, Sequence[int]]
 Memory = Union[None, int, str]
 
@@ -30,7 +30,10 @@ def _level(
     label: Labels,
 ) -> _core.LevelFlags:
     flags = _core.LevelFlags()
-    if iso is not None:
+    if isinstance(iso, str):
+        _want("iso", iso, ("auto",))
+        flags.iso = iso
+    elif iso is not None:
         flags.iso = " ".join(repr(float(value)) for value in numpy.atleast_1d(iso))
     _want("inside", inside, ("above", "below"))
     _want("topology", topology, ("trilinear", "simple"))
@@ -111,9 +114,9 @@ def count(
     volume : array of 3 axes, Volume, or path
         Of any integer type, float16 to float64, or bool (a mask). Its memory is read where it lies
         if its numbers are packed, in whatever order of axes; else it is copied, in its type.
-    iso : float, or (lower, upper)
-        The solid's voxels are those from this value on, or between the two. Booleans, masks of
-        `label` and level sets of files need none.
+    iso : float, (lower, upper), or "auto"
+        The solid's voxels are those from this value on, or between the two; "auto" takes what scan()
+        proposes, and `notes` say so. Booleans, masks of `label` and level sets of files need none.
     inside : {"above", "below"}
         "below": the solid's voxels are those up to `iso`.
     topology : {"trilinear", "simple"}
@@ -325,6 +328,7 @@ def scan(
     values: Optional[int] = None,
     from_: Optional[float] = None,
     to: Optional[float] = None,
+    ignore_below: Union[None, int, str] = None,
     inside: Optional[str] = None,
     topology: Optional[str] = None,
     spacing: Optional[Spacing] = None,
@@ -344,6 +348,9 @@ def scan(
         How many iso values; by default 256, or all integers of a small range.
     from_, to : float
         The least and the largest of them; by default those of the voxels.
+    ignore_below : int or str
+        Parts of fewer voxels, or of less than a share of the largest ("0.1%"), do not break a
+        plateau.
     volume, inside, topology, spacing, affine, frame, unit, nan_as, threads, max_memory, progress
         As for count().
 
@@ -365,6 +372,7 @@ def scan(
             _input(volume, None, spacing, affine, frame, unit, nan_as),
             _level(None, inside, topology, None, False, None),
             scan_range,
+            "" if ignore_below is None else str(ignore_below),
             _limits(threads, max_memory),
             progress,
         )

@@ -232,6 +232,9 @@ py::dict scan_columns(const ScanRun& run) {
   columns["euler"] = column([](const ScanRow& row) { return row.euler; });
   columns["genus"] = column([](const ScanRow& row) { return row.genus; });
   columns["inside_voxels"] = column([](const ScanRow& row) { return row.inside_voxels; });
+  columns["large_b0"] = column([](const ScanRow& row) { return row.large.b0; });
+  columns["large_b1"] = column([](const ScanRow& row) { return row.large.b1; });
+  columns["large_b2"] = column([](const ScanRow& row) { return row.large.b2; });
   return columns;
 }
 
@@ -320,6 +323,8 @@ void bind_scan(py::module_& module) {
       .def("svg", text_by(write_curves_svg))
       .def("columns", &scan_columns)
       .def("plateaus", &plateaus_of)
+      .def_property_readonly("ignored_below",
+                             [](const ScanRun& run) { return run.scan.ignored_below; })
       .def_property_readonly("proposed", [](const ScanRun& run) { return run.scan.proposed; });
 }
 

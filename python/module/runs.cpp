@@ -55,8 +55,8 @@ auto run_on(const Input& input, const LevelFlags& level, const Limits& limits,
                     limits, work, start](const Progress& tell) {
     return in_array(axes, [&] {
       RunInput run = given;
-      settle_level(run, level, of_labels);
       run.cost.max_bytes = limits.max_bytes > 0 ? limits.max_bytes : default_voxel_limit();
+      settle_level(run, level, of_labels);
       auto result = on_threads(limits.threads, [&] { return work(std::move(run), tell); });
       result.voxels.reset();  // they are the caller's
       result.cost.peak_bytes = peak_resident_bytes();
@@ -101,15 +101,18 @@ std::shared_ptr<LoopsRun> loops(const Input& input, const LoopsInput& asked, con
 }
 
 std::shared_ptr<ScanRun> scan(const Input& input, const LevelFlags& level, const ScanRange& range,
-                              const Limits& limits, const py::object& progress) {
+                              const std::string& ignore_below, const Limits& limits,
+                              const py::object& progress) {
   LevelFlags with_iso = level;
   with_iso.iso = "0";  // stands in until an iso value is proposed
-  return run_on(input, with_iso, limits, progress, [range](RunInput run, const Progress& tell) {
-    ScanRun scanned{std::move(run)};
-    const auto isos = scan_values(range, voxels_of(scanned), scanned.range);
-    scanned.scan = scan_of(scanned, isos, tell);
-    return scanned;
-  });
+  return run_on(
+      input, with_iso, limits, progress,
+      [range, ignored = parse_ignored_size(ignore_below)](RunInput run, const Progress& tell) {
+        ScanRun scanned{std::move(run)};
+        const auto isos = scan_values(range, voxels_of(scanned), scanned.range);
+        scanned.scan = scan_of(scanned, isos, tell, ignored);
+        return scanned;
+      });
 }
 
 std::shared_ptr<RepairRun> repair(const Input& input, const LevelFlags& level,

@@ -52,6 +52,13 @@ def test_scans_are_those_of_the_command(command):
     assert scan.rows["iso"][0] == 5 and scan.rows["b1"].max() > 0
 
 
+def test_auto_takes_the_value_that_the_command_takes(command):
+    path = data("volumes/fuel_64x64x64_uint8.raw")
+    counted = isoloop.count(isoloop.read(path), "auto")
+    assert without_cost(counted.to_json()) == without_cost(command("count", path, "--iso", "auto"))
+    assert counted.iso == isoloop.scan(path).proposed and "auto" in counted.notes[0]
+
+
 def test_repairs_are_those_of_the_command(command, tmp_path):
     path = data("volumes/fuel_64x64x64_uint8.raw")
     out = str(tmp_path / "out_64x64x64_uint8.raw")

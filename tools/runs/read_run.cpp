@@ -6,6 +6,7 @@
 
 #include "core/base/stage.h"
 #include "tools/flags/flag_kinds.h"
+#include "tools/runs/auto_iso.h"
 #include "tools/runs/memory_cap.h"
 #include "tools/words/sentence.h"
 #include "tools/words/value_hints.h"
@@ -30,9 +31,24 @@ void print_warnings(std::ostream& out, const Volume& volume) {
   }
 }
 
+namespace {
+
+/// What the flags say; with --iso auto what the voxels suggest, and `run` says so.
+IsoLevel level_of(LevelFlags flags, RunInput& run) {
+  if (flags.iso != "auto") return iso_level(flags, run.volume, run.range);
+  flags.iso = "0";  // stands in until a value is chosen
+  run.level = iso_level(flags, run.volume, run.range);
+  const ChosenIso chosen = choose_iso(run);
+  run.iso_choice = chosen.how;
+  run.level.iso = chosen.iso;
+  return run.level;
+}
+
+}  // namespace
+
 void settle_level(RunInput& run, const LevelFlags& flags, bool is_mask_of_labels) {
   run.range = value_range(voxels_of(run));
-  run.level = iso_level(flags, run.volume, run.range);
+  run.level = level_of(flags, run);
   if (is_mask(run.range) && !run.volume.level_set && !is_mask_of_labels &&
       flags.connectivity.empty()) {
     run.hint = mask_hint(run.range);
