@@ -91,7 +91,7 @@ std::shared_ptr<LoopsRun> loops(const Input& input, const LoopsInput& asked, con
   check_engine_flags(asked);
   return run_on(input, asked.level, limits, progress,
                 [axes = input.axes, asked](RunInput run, const Progress& tell) {
-                  LoopsRun found = found_run(std::move(run), asked, tell);
+                  LoopsRun found = find_in(std::move(run), asked, tell);
                   found.with_features = asked.features && !asked.features_may_lack;
                   compare_quietly(found, found.analysis);
                   found.analysis.surface.graph = {};  // what follows asks for the mesh alone
@@ -152,8 +152,8 @@ void bind_runs(py::module_& module) {
              py::arg("progress"));
   module.def("loops", &loops, py::arg("input"), py::arg("asked"), py::arg("limits"),
              py::arg("progress"));
-  module.def("scan", &scan, py::arg("input"), py::arg("level"), py::arg("range"), py::arg("limits"),
-             py::arg("progress"));
+  module.def("scan", &scan, py::arg("input"), py::arg("level"), py::arg("range"),
+             py::arg("ignore_below"), py::arg("limits"), py::arg("progress"));
   module.def("repair", &repair, py::arg("input"), py::arg("level"), py::arg("asked"),
              py::arg("limits"), py::arg("progress"));
   module.def("page", &page, py::arg("run"), py::arg("drawn"), py::arg("triangles"));

@@ -11,8 +11,9 @@
 #include "tools/words/sentence.h"
 
 namespace isoloop {
+namespace {
 
-LoopsRun found_run(RunInput volume, const LoopsInput& input, const Progress& progress) {
+LoopsRun found_in(RunInput volume, const LoopsInput& input, const Progress& progress) {
   const PairOptions pair = pair_options(input.engine);
   const Boundary boundary = boundary_of(input.level);
   const Tighten tighten = tighten_of(input.engine, boundary);
@@ -31,6 +32,7 @@ LoopsRun found_run(RunInput volume, const LoopsInput& input, const Progress& pro
                              .count_volume_triangles = input.engine.stats,
                              .progress = progress,
                              .max_bytes = run.cost.max_bytes});
+  if (progress) progress("checks", 0.92);
   check_counts(run.analysis);
   check_loops(run.analysis);
   run.reported = select_loops(run.analysis.loops, input.filter);
@@ -55,19 +57,26 @@ LoopsRun found_run(RunInput volume, const LoopsInput& input, const Progress& pro
   return run;
 }
 
+}  // namespace
+
 void check_engine_flags(const LoopsInput& input) {
   pair_options(input.engine);
   tighten_of(input.engine, boundary_of(input.level));
 }
 
 LoopsRun find_run(const LoopsInput& input, const Progress& progress) {
+  check_engine_flags(input);
   return about_file(input.volume.file, [&] {
     return on_threads(input.threads, [&] {
-      LoopsRun run = found_run(read_run(input.volume, input.level), input, progress);
+      LoopsRun run = found_in(read_run(input.volume, input.level), input, progress);
       if (!run.left_out.empty()) std::cerr << "isoloop: warning: " << run.left_out << '\n';
       return run;
     });
   });
+}
+
+LoopsRun find_in(RunInput volume, const LoopsInput& input, const Progress& progress) {
+  return on_threads(input.threads, [&] { return found_in(std::move(volume), input, progress); });
 }
 
 }  // namespace isoloop

@@ -28,14 +28,13 @@ struct LoopsInput {
 /// Throws InvalidArgument for engine flags that do not go together, before anything is read.
 void check_engine_flags(const LoopsInput& input);
 
-/// Finds, proves and checks all loops of a volume that was read, on the threads of its caller, and
-/// selects those to report. `input` says how; its flags of the volume are not looked at. Throws as
-/// find_run() does, but for reading.
-LoopsRun found_run(RunInput volume, const LoopsInput& input, const Progress& progress);
-
 /// Reads the volume, finds, proves and checks all loops and selects those to report. Throws as
 /// read_run(), find_loops(), check_counts() and check_loops() do, and InvalidArgument for flags
 /// that do not go together.
 LoopsRun find_run(const LoopsInput& input, const Progress& progress);
+
+/// The same in a volume that is there already, with its level; of `input` what it says of files is
+/// not looked at, nor of levels but for the boundary.
+LoopsRun find_in(RunInput volume, const LoopsInput& input, const Progress& progress);
 
 }  // namespace isoloop
