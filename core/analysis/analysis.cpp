@@ -176,8 +176,11 @@ std::vector<Loop> proved_loops(const Workings& workings, const AnalysisOptions& 
   if (options.engine == Engine::pair) {
     loops = loops_of_pairs(surface, analysis.pairs);
   } else {
-    loops = loops_of_side(surface, classes, solved(workings.inside), closest);
-    std::vector<Loop> tunnels = loops_of_side(surface, classes, solved(workings.outside), closest);
+    auto [found, seconds] = loops_of_side(surface, classes, solved(workings.inside), closest);
+    auto [tunnels, more] = loops_of_side(surface, classes, solved(workings.outside), closest);
+    seconds.insert(seconds.end(), more.begin(), more.end());
+    analysis.seconds.slowest_loops = slowest_hundredth(std::move(seconds));
+    loops = std::move(found);
     if (open) {
       loops = merged_by_size(std::move(loops), std::move(tunnels));
     } else {

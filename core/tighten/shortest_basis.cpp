@@ -157,7 +157,9 @@ class Shortening {
     std::vector<Searched> done;
     std::vector<bool> is_open(crossed_.size(), true);
     const double share = left_ * share_of_a_round;
-    for (std::uint64_t settled = least_settled; left_ > 0.0; settled *= farther) {
+    // Ends: a search that may take all that is left is too far for any.
+    for (std::uint64_t settled = least_settled; static_cast<double>(settled) <= left_;
+         settled *= farther) {
       const std::vector<double> longest = replaceable(exchange_.members(), crossed_);
       std::vector<std::uint32_t> open;
       for (std::uint32_t j = 0; j < crossed_.size(); ++j)

@@ -355,7 +355,7 @@ TEST_F(CommandLine, ProgressAsJsonIsAnObjectALineAndSoIsAnError) {
   std::string stages;
   for (std::string line; std::getline(lines, line);)
     stages += Json::parse(line).at("stage").get<std::string>() + ' ';
-  EXPECT_EQ(stages, "surface closest sizes pass loops ");
+  EXPECT_EQ(stages, "surface closest sizes pass loops checks ");
   const ProcessResult missing = run({"count", "none.raw", "--iso", "1", "--log-json"});
   EXPECT_EQ(missing.exit_code, 3);
   EXPECT_EQ(Json::parse(missing.err).at("event"), "error");

@@ -29,10 +29,12 @@ struct WithLoops {
         outside_classes(border_classes(prepared.surface, classes, Side::outside, outside_borders)),
         handles(loops_of_side(prepared.surface, classes,
                               {*prepared.inside, inside, inside_borders, inside_classes},
-                              prepared.closest)),
+                              prepared.closest)
+                    .loops),
         tunnels(loops_of_side(prepared.surface, classes,
                               {*prepared.outside, outside, outside_borders, outside_classes},
-                              prepared.closest)) {}
+                              prepared.closest)
+                    .loops) {}
 
   void shorten(const BasisEffort& effort = {}) {
     const SideLoops in{handles, inside_classes};

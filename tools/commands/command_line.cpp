@@ -7,10 +7,12 @@
 #include <CLI/CLI.hpp>
 
 #include "core/base/errors.h"
+#include "tools/commands/bench_command.h"
 #include "tools/commands/count_command.h"
 #include "tools/commands/generate_command.h"
 #include "tools/commands/info_command.h"
 #include "tools/commands/loops_command.h"
+#include "tools/commands/measure_command.h"
 #include "tools/commands/repair_command.h"
 #include "tools/commands/scan_command.h"
 #include "tools/commands/view_command.h"
@@ -27,6 +29,7 @@ void check_command(const CLI::App& app, const std::vector<std::string>& argument
   std::string names;
   for (const CLI::App* command : app.get_subcommands({})) {
     if (command->get_name() == arguments[0]) return;
+    if (command->get_group().empty()) continue;  // of isoloop's own
     names += (names.empty() ? "" : ", ") + command->get_name();
   }
   throw InvalidArgument(arguments[0] + " is no command; the commands are " + names +
@@ -54,6 +57,8 @@ void parse_and_run(const std::vector<std::string>& arguments) {
   add_view_command(app);
   add_repair_command(app);
   add_generate_command(app);
+  add_bench_command(app);
+  add_measure_command(app);
   check_command(app, arguments);
 
   std::vector<std::string> reversed = tie_numbers_to_flags(arguments);

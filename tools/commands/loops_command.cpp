@@ -196,13 +196,7 @@ void add_loops_command(CLI::App& app) {
   auto flags = std::make_shared<LoopsFlags>();
   add_volume_flags(command, flags->input.volume);
   add_level_flags(command, flags->input.level);
-  command
-      .add_option("--geodesic", flags->input.geodesic,
-                  "how sizes are measured: exact is the definition to the letter and slow on thick "
-                  "parts, hierarchy is exact up to five voxels")
-      ->check(CLI::IsMember({"hierarchy", "exact"}))
-      ->type_name("HOW")
-      ->capture_default_str();
+  add_geodesic_flag(command, flags->input.geodesic);
   add_thread_flag(command, flags->input.threads);
   add_engine_flags(command, flags->input.engine);
   add_report_flags(command, *flags);

@@ -46,8 +46,16 @@ std::string mesh_words() {
   return words;
 }
 
+CLI::Option& add_file(CLI::App& command, const char* name, VolumeFlags& flags) {
+  CLI::Option* const option = command.add_option(
+      name, flags.file,
+      "volume to read: " + supported_extensions() +
+          ", or a folder of DICOM, TIFF, PNG or BMP slices; or mesh:" + mesh_words());
+  want_file_name(option);
+  return *option;
+}
+
 void check_volume_flags(CLI::App& command) {
-  want_file_name(command.get_option("FILE"));
   for (const char* flag :
        {"--dims", "--type", "--spacing", "--grid", "--series", "--label", "--crop", "--nan-as"}) {
     want_text(command.get_option(flag));
@@ -64,23 +72,7 @@ void take_resolution(const std::string& typed, VolumeFlags& flags) {
   flags.voxel_size.resolution = whole_number_of(typed);  // none of the word
 }
 
-}  // namespace
-
-void add_memory_flag(CLI::App& command, std::string& size) {
-  want_text(command
-                .add_option("--max-memory", size,
-                            "give up, exit code 4, rather than use more, for example 4G (default: "
-                            "80 % of what is free)")
-                ->type_name("SIZE"));
-}
-
-void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
-  command
-      .add_option("FILE", flags.file,
-                  "volume to read: " + supported_extensions() +
-                      ", or a folder of DICOM, TIFF, PNG or BMP slices; or mesh:" + mesh_words())
-      ->required()
-      ->type_name("");
+void add_description_flags(CLI::App& command, VolumeFlags& flags) {
   command.add_option("--dims", flags.dims, "voxels along x, y and z of a raw file")
       ->type_name("X Y Z");
   command
@@ -149,6 +141,26 @@ void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
                   "give up, exit code 4, on a volume of more voxels")
       ->type_name("N");
   check_volume_flags(command);
+}
+
+}  // namespace
+
+void add_memory_flag(CLI::App& command, std::string& size) {
+  want_text(command
+                .add_option("--max-memory", size,
+                            "give up, exit code 4, rather than use more, for example 4G (default: "
+                            "80 % of what is free)")
+                ->type_name("SIZE"));
+}
+
+void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
+  add_file(command, "FILE", flags).required()->type_name("");
+  add_description_flags(command, flags);
+}
+
+void add_named_volume_flags(CLI::App& command, VolumeFlags& flags) {
+  add_file(command, "--file", flags).type_name("FILE");
+  add_description_flags(command, flags);
 }
 
 void add_convention_flags(CLI::App& command, LevelFlags& flags) {

@@ -51,6 +51,9 @@ void add_memory_flag(CLI::App& command, std::string& size);
 /// Adds FILE and the flags that describe it. `flags` must outlive the parse.
 void add_volume_flags(CLI::App& command, VolumeFlags& flags);
 
+/// The same, the file after --file, which may be left out.
+void add_named_volume_flags(CLI::App& command, VolumeFlags& flags);
+
 /// Adds --inside and --topology. `flags` must outlive the parse.
 void add_convention_flags(CLI::App& command, LevelFlags& flags);
 

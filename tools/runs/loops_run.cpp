@@ -1,6 +1,7 @@
 #include "tools/runs/loops_run.h"
 
 #include <iostream>
+#include <utility>
 
 #include "core/base/errors.h"
 #include "core/base/stage.h"
@@ -12,11 +13,11 @@
 namespace isoloop {
 namespace {
 
-LoopsRun found_run(const LoopsInput& input, const Progress& progress) {
+LoopsRun found_in(RunInput volume, const LoopsInput& input, const Progress& progress) {
   const PairOptions pair = pair_options(input.engine);
   const Boundary boundary = boundary_of(input.level);
   const Tighten tighten = tighten_of(input.engine, boundary);
-  LoopsRun run{{read_run(input.volume, input.level)}};
+  LoopsRun run{{std::move(volume)}};
   run.geodesic = input.geodesic == "exact" ? GeodesicMode::exact : GeodesicMode::hierarchy;
   run.engine = engine_of(input.engine);
   run.refinement = pair.refinement;
@@ -31,6 +32,7 @@ LoopsRun found_run(const LoopsInput& input, const Progress& progress) {
                              .count_volume_triangles = input.engine.stats,
                              .progress = progress,
                              .max_bytes = run.cost.max_bytes});
+  if (progress) progress("checks", 0.92);
   check_counts(run.analysis);
   check_loops(run.analysis);
   run.reported = select_loops(run.analysis.loops, input.filter);
@@ -64,9 +66,16 @@ void check_engine_flags(const LoopsInput& input) {
 }
 
 LoopsRun find_run(const LoopsInput& input, const Progress& progress) {
+  check_engine_flags(input);
   return about_file(input.volume.file, [&] {
-    return on_threads(input.threads, [&] { return found_run(input, progress); });
+    return on_threads(input.threads, [&] {
+      return found_in(read_run(input.volume, input.level), input, progress);
+    });
   });
+}
+
+LoopsRun find_in(RunInput volume, const LoopsInput& input, const Progress& progress) {
+  return on_threads(input.threads, [&] { return found_in(std::move(volume), input, progress); });
 }
 
 }  // namespace isoloop

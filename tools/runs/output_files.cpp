@@ -44,7 +44,7 @@ void OutputFiles::add(const std::string& flag, const std::string& name, const Re
     }
   }
   if (!is_stdout(name)) {
-    if (same_file(name, input_)) {
+    if (!input_.empty() && same_file(name, input_)) {
       throw InvalidArgument(clash(flag, name, "the input"));
     }
     check_writable(name);
