@@ -90,8 +90,8 @@ def print_genus(rows):
             continue
         genus = int(row["genus"])
         exponent = "-"
-        if volume in before:
-            smaller, cpu = before[volume]
+        smaller, cpu = before.get(volume, (genus, None))
+        if smaller < genus:
             exponent = f"{math.log(row['loops'] / cpu) / math.log(genus / smaller):.2f}"
         before[volume] = (genus, row["loops"])
         lines.append([volume, str(size), str(genus), row["triangles"], f"{row['cpu_s']:.2f}",

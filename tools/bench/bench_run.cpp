@@ -20,6 +20,7 @@ double median(std::vector<double> values) {
 template <class Figure>
 double median_over(const std::vector<Measurement>& runs, const Figure& figure) {
   std::vector<double> values;
+  values.reserve(runs.size());
   for (const Measurement& run : runs) values.push_back(static_cast<double>(figure(run)));
   return median(std::move(values));
 }
@@ -116,6 +117,7 @@ std::vector<BenchRow> rows_of(const BenchCase& one, const BenchPlan& plan, const
     }
   }
   std::vector<BenchRow> rows;
+  rows.reserve(open.size());
   for (OpenRow& row : open) rows.push_back(closed(std::move(row)));
   return rows;
 }

@@ -1,7 +1,7 @@
 #include "tools/bench/stage_meter.h"
 
 #include <chrono>
-#include <numeric>
+#include <ctime>
 #include <thread>
 #include <vector>
 
@@ -12,12 +12,16 @@ namespace {
 
 constexpr std::size_t much = std::size_t{64} << 20;  // bytes
 
-/// Keeps the processor at work.
+/// Keeps a processor at work for so many seconds of its time.
 void work(double seconds) {
-  const auto start = std::chrono::steady_clock::now();
-  volatile double sum = 0.0;
-  while (std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < seconds)
-    sum = sum + 1.0;
+  const auto spent = [] {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  };
+  const double start = spent();
+  while (spent() - start < seconds) {
+  }
 }
 
 TEST(StageMeter, TellsProcessorTimeFromWallClock) {
@@ -31,15 +35,14 @@ TEST(StageMeter, TellsProcessorTimeFromWallClock) {
   EXPECT_EQ(stages[0].name, "idle");
   EXPECT_GE(stages[0].wall_seconds, 0.05);
   EXPECT_LT(stages[0].cpu_seconds, 0.025);
-  EXPECT_GE(stages[1].wall_seconds, 0.05);
-  EXPECT_GT(stages[1].cpu_seconds, 0.0);
+  EXPECT_GE(stages[1].cpu_seconds, 0.05);
 }
 
 TEST(StageMeter, CountsThreadsThatHaveEnded) {
   StageMeter meter;
   meter.enter("other");
-  std::thread([] { work(0.2); }).join();
-  EXPECT_GT(meter.end().at(0).cpu_seconds, 0.02);  // more than this thread's
+  std::thread([] { work(0.05); }).join();
+  EXPECT_GE(meter.end().at(0).cpu_seconds, 0.05);
 }
 
 TEST(StageMeter, GoesOnWithAStageOfTheSameName) {
