@@ -26,11 +26,10 @@ struct ClusterLevel {
   EdgeGraph neighbors;  // clusters joined by an edge of M; lengths between centers
 };
 
-/// Level 0: each vertex of M is a cluster. Its neighbors are M's graph, of which it has no copy.
+/// Level 0: each vertex of M is a cluster.
 ClusterLevel finest_level(const Surface& surface);
 
 /// The next level: neighbours that fall into one block of twice the side become one cluster.
-/// `neighbors`: those of `level`.
-ClusterLevel coarser_level(const ClusterLevel& level, const EdgeGraph& neighbors);
+ClusterLevel coarser_level(const ClusterLevel& level);
 
 }  // namespace isoloop
