@@ -344,7 +344,6 @@ TEST_F(CommandLine, PageAndExportsStandBesideTheTable) {
   for (const char* file : {"c.obj", "c.vtp", "s.stl"}) EXPECT_FALSE(scratch_.read(file).empty());
   expect_failure(with({"loops"}, {"--curves", "c.txt"}), 2, ".vtp, .obj and .mrk.json");
   expect_failure(with({"loops"}, {"--surface", "s.mrk.json"}), 2, ".ply, .obj, .stl and .vtp");
-  expect_failure(with({"view"}, {}), 2, "--output");
 }
 
 TEST_F(CommandLine, ProgressAsJsonIsAnObjectALineAndSoIsAnError) {

@@ -132,7 +132,7 @@ TEST(Manual, ExplainsEveryFlagAndNoOther) {
   std::string help;
   for (const char* command :
        {"info", "count", "scan", "loops", "view", "repair", "generate", "demo", "bench"})
-    help += run_isoloop(scratch.path(), {command, "-h"}).out;
+    help += run_isoloop(scratch.path(), {command, "--help-all"}).out;
   help += run_isoloop(scratch.path(), {"-h"}).out;
   std::set<std::string> known = flags_in(help);
   const std::set<std::string> explained = flags_in(manual());

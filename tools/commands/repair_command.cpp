@@ -3,13 +3,13 @@
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "core/base/errors.h"
+#include "core/base/stage.h"
 #include "core/base/threads.h"
 #include "tools/flags/repair_flags.h"
 #include "tools/flags/thread_flag.h"
@@ -17,7 +17,6 @@
 #include "tools/runs/mesh_comparison.h"
 #include "tools/runs/output_files.h"
 #include "tools/runs/read_run.h"
-#include "tools/runs/repair_run.h"
 #include "tools/runs/report_run.h"
 #include "tools/words/flag_checks.h"
 #include "tools/words/progress.h"
@@ -119,11 +118,21 @@ void check_together(const CommandFlags& flags) {
   }
 }
 
-RepairRun repaired(const CommandFlags& flags, const RepairRequest& request,
-                   const Progress& progress) {
-  RunInput volume = read_run(flags.volume, flags.level);
-  if (!flags.dry_run) check_format(flags, volume.volume);
-  return repaired_run(std::move(volume), boundary_of(flags.level), request, progress);
+RepairRun repaired_run(const CommandFlags& flags, const Progress& progress) {
+  RepairRun run{read_run(flags.volume, flags.level)};
+  const RepairRequest request = repair_request(flags.repair, &run.volume);
+  if (!flags.dry_run) check_format(flags, run.volume);
+  run.repair = about_file(run.file, [&] {
+    return in_stage("repair", [&] {
+      return repair_loops(view(run.volume), run.level, request,
+                          {.boundary = boundary_of(flags.level),
+                           .progress = progress,
+                           .max_bytes = run.cost.max_bytes});
+    });
+  });
+  check_counts(run.repair.after);
+  check_loops(run.repair.after);
+  return run;
 }
 
 /// Writes the repaired volume, unless the run is a dry one.
@@ -136,7 +145,7 @@ void settle(const CommandFlags& flags, RepairRun& run) {
 }
 
 void repair(const CommandFlags& flags) {
-  const RepairRequest request = repair_request(flags.repair);
+  repair_request(flags.repair);  // refused before anything is read
   check_together(flags);
   RepairRun run;
   OutputFiles outputs(flags.volume.file);
@@ -144,8 +153,8 @@ void repair(const CommandFlags& flags) {
   outputs.add("--json", flags.json, report_of(run, write_repair_json));
   run_and_report<RepairRun>(
       flags.progress, outputs, run,
-      {.run = [&](const Progress& progress) { return repaired(flags, request, progress); },
-       .settle = [&](RepairRun& run_now) { settle(flags, run_now); },
+      {.run = [&](const Progress& progress) { return repaired_run(flags, progress); },
+       .settle = [&](RepairRun& repaired) { settle(flags, repaired); },
        .table = write_repair_table});
 }
 
@@ -155,8 +164,8 @@ void add_repair_command(CLI::App& app) {
   CLI::App& command =
       *app.add_subcommand("repair", "cut handles and fill tunnels, and change nothing else");
   auto flags = std::make_shared<CommandFlags>();
-  add_volume_flags(command, flags->volume);
   add_level_flags(command, flags->level);
+  add_volume_flags(command, flags->volume);
   add_repair_flags(command, flags->repair);
   want_file_name(
       command

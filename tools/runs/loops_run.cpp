@@ -6,6 +6,8 @@
 #include "core/base/errors.h"
 #include "core/base/stage.h"
 #include "core/base/threads.h"
+#include "tools/flags/length_flag.h"
+#include "tools/runs/frowns.h"
 #include "tools/runs/read_run.h"
 #include "tools/runs/scan_run.h"
 #include "tools/words/sentence.h"
@@ -18,11 +20,18 @@ LoopsRun found_in(RunInput volume, const LoopsInput& input, const Progress& prog
   const Boundary boundary = boundary_of(input.level);
   const Tighten tighten = tighten_of(input.engine, boundary);
   LoopsRun run{{std::move(volume)}};
+  run.remark = spacing_note(run, !input.volume.spacing.empty());
   run.geodesic = input.geodesic == "exact" ? GeodesicMode::exact : GeodesicMode::hierarchy;
   run.engine = engine_of(input.engine);
   run.refinement = pair.refinement;
   run.tighten = tighten;
   run.filter = input.filter;
+  if (!input.min_size.empty())
+    run.filter.min_size =
+        length_in(parse_length("--min-size", input.min_size), run.volume, "--min-size");
+  if (!input.max_size.empty())
+    run.filter.max_size =
+        length_in(parse_length("--max-size", input.max_size), run.volume, "--max-size");
   run.analysis = find_loops(voxels_of(run), run.level,
                             {.boundary = boundary,
                              .geodesic = run.geodesic,
@@ -35,7 +44,8 @@ LoopsRun found_in(RunInput volume, const LoopsInput& input, const Progress& prog
   if (progress) progress("checks", 0.92);
   check_counts(run.analysis);
   check_loops(run.analysis);
-  run.reported = select_loops(run.analysis.loops, input.filter);
+  warn(run, count_warnings(run, run.analysis));
+  run.reported = select_loops(run.analysis.loops, run.filter);
   if (input.features && boundary == Boundary::closed) {
     if (progress) progress("features", 0.93);
     FeatureOptions options = *input.features;
@@ -47,6 +57,7 @@ LoopsRun found_in(RunInput volume, const LoopsInput& input, const Progress& prog
     } catch (const LimitExceeded& error) {
       if (!input.features_may_lack) throw;
       run.left_out = "features are left out: " + sentence_of(error.finding);
+      std::cerr << "isoloop: warning: " << run.left_out << '\n';
     }
   }
   if (input.with_scan && boundary == Boundary::closed && !run.level.upper) {
@@ -68,9 +79,7 @@ LoopsRun find_run(const LoopsInput& input, const Progress& progress) {
   check_engine_flags(input);
   return about_file(input.volume.file, [&] {
     return on_threads(input.threads, [&] {
-      LoopsRun run = found_in(read_run(input.volume, input.level), input, progress);
-      if (!run.left_out.empty()) std::cerr << "isoloop: warning: " << run.left_out << '\n';
-      return run;
+      return found_in(read_run(input.volume, input.level), input, progress);
     });
   });
 }

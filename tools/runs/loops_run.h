@@ -18,8 +18,10 @@ struct LoopsInput {
   LevelFlags level;
   EngineFlags engine;
   std::string geodesic = "hierarchy";
-  int threads = 0;  // 0: one for each core
-  LoopFilter filter;
+  int threads = 0;       // 0: one for each core
+  LoopFilter filter;     // but for its sizes
+  std::string min_size;  // "3", "3mm" or empty: none
+  std::string max_size;
   bool with_scan = false;  // also count at many iso values, unless the boundary is open
   std::optional<FeatureOptions> features{};  // also sweep the features, unless the boundary is open
   bool features_may_lack = false;            // with a warning, where memory has no room for them

@@ -6,7 +6,9 @@
 
 #include "core/base/stage.h"
 #include "tools/flags/flag_kinds.h"
+#include "tools/flags/length_flag.h"
 #include "tools/runs/auto_iso.h"
+#include "tools/runs/frowns.h"
 #include "tools/runs/memory_cap.h"
 #include "tools/words/sentence.h"
 #include "tools/words/value_hints.h"
@@ -15,15 +17,6 @@
 #include "volume/voxels/value_range.h"
 
 namespace isoloop {
-namespace {
-
-Volume volume_of(const VolumeFlags& flags, const ReadOptions& options) {
-  return about_file(flags.file, [&] {
-    return in_stage("read", [&] { return read_volume(flags.file, options); });
-  });
-}
-
-}  // namespace
 
 void print_warnings(std::ostream& out, const Volume& volume) {
   for (const std::string& warning : sentences_of(volume.warnings)) {
@@ -46,6 +39,23 @@ IsoLevel level_of(LevelFlags flags, RunInput& run) {
 
 }  // namespace
 
+Volume read_named(const VolumeFlags& flags, const ReadOptions& options, const StagedFile& staged) {
+  if (!staged) return read_volume(flags.file, options);
+  const auto named = [&](Finding finding) {
+    if (finding.file == staged->string()) finding.file = flags.file;
+    return finding;
+  };
+  try {
+    return read_volume(*staged, options);
+  } catch (const InvalidArgument& error) {
+    throw InvalidArgument(named(error.finding), error.option);
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(named(error.finding), error.fault);
+  } catch (const LimitExceeded& error) {
+    throw LimitExceeded(named(error.finding), error.excess);
+  }
+}
+
 void settle_level(RunInput& run, const LevelFlags& flags, bool is_mask_of_labels) {
   run.range = value_range(voxels_of(run));
   run.level = level_of(flags, run);
@@ -59,7 +69,9 @@ Volume read_flagged(const VolumeFlags& flags, VdbMargin margin) {
   check_flags_fit_file(flags);
   ReadOptions options = read_options(flags);
   options.margin = margin;
-  return volume_of(flags, options);
+  return about_file(flags.file, [&] {
+    return in_stage("read", [&] { return read_volume(flags.file, options); });
+  });
 }
 
 RunInput read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flags) {
@@ -72,13 +84,23 @@ RunInput read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flags
   ReadOptions options = read_options(volume_flags);
   // A layer of background would close the surface that is to end there.
   if (level_flags.open_boundary) options.margin = VdbMargin::none;
+  run.staged = staged_input(volume_flags);
   const std::uint64_t available = default_voxel_limit();
   if (options.max_bytes > 0) cap_memory(options.max_bytes);
-  run.volume = volume_of(volume_flags, options);
+  run.volume = about_file(run.file, [&] {
+    return in_stage("read", [&] { return read_named(volume_flags, options, run.staged); });
+  });
   const std::uint64_t limit = options.max_bytes > 0 ? options.max_bytes : available;
   run.cost.max_bytes = limit - std::min(limit, resident_bytes());
+  if (const std::string unit = split_unit("--spacing", volume_flags.spacing).unit; !unit.empty())
+    run.volume.unit = unit;
   print_warnings(std::cerr, run.volume);
   settle_level(run, level_flags, !volume_flags.label.empty());
+  if (volume_flags.label.empty()) {
+    const std::string labels =
+        label_warning(run, !level_flags.iso.empty() && run.iso_choice.empty());
+    if (!labels.empty()) warn(run, {labels});
+  }
   run.cost.read_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return run;

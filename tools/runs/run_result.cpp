@@ -103,6 +103,7 @@ std::vector<std::string> notes_of(const RunInput& run) {
   std::vector<std::string> notes = sentences_of(run.volume.notes);
   if (!run.iso_choice.empty())
     notes.push_back("iso " + shortest_text(run.level.iso) + " is " + run.iso_choice);
+  if (!run.remark.empty()) notes.push_back(run.remark);
   if (!run.hint.empty()) notes.push_back(run.hint);
   return notes;
 }
