@@ -12,6 +12,7 @@
 #include "core/base/stage.h"
 #include "core/base/threads.h"
 #include "core/complex/grid_complex.h"
+#include "core/complex/grid_sizes.h"
 #include "core/cube/sides.h"
 #include "core/engines/dual_pass.h"
 #include "core/engines/spanning_forest.h"
@@ -84,9 +85,9 @@ class Room {
     return threads_within("sizes", sizes_bytes(lattice_, vertices_), size_search_bytes(vertices_),
                           limit_, thread_count());
   }
-  int loop_searches(std::uint64_t sizes) const {
-    return threads_within("loops", loops_bytes(lattice_, vertices_, sizes),
-                          loop_search_bytes(vertices_), limit_, thread_count());
+  int loop_searches() const {
+    return threads_within("loops", loops_bytes(lattice_, vertices_), loop_search_bytes(vertices_),
+                          limit_, thread_count());
   }
 
   struct Passes {
@@ -111,9 +112,9 @@ class Room {
 };
 
 /// Runs the dual pass on both sides; `at_once`: at a time, which takes the memory of two.
-void run_passes(const Surface& surface, Workings& workings, bool at_once) {
+void run_passes(const Surface& surface, const EdgeSizes& sizes, Workings& workings, bool at_once) {
   const auto solve = [&](WorkedSide& side, const char* name) {
-    side.pass = dual_pass(*side.complex, workings.sizes_of(side));
+    side.pass = dual_pass(*side.complex, GridSizes(*side.complex, *workings.edges, sizes));
     if (!labels_are_consistent(*side.complex, side.pass))
       throw SelfCheckFailed(std::string("the labels ") + name +
                             " do not sum to zero round an edge");
@@ -242,31 +243,33 @@ Workings work_out_loops(const AnyGridView& grid, const IsoLevel& level,
     return closest_surface_vertices(sides, edges, surface);
   });
   const int size_searches = room.size_searches();
-  workings.sizes = clock.run("sizes", 0.1, seconds.sizes, [&] {
+  auto sizes = clock.run("sizes", 0.1, seconds.sizes, [&] {
     return with_threads(size_searches, [&] {
       return std::make_unique<EdgeSizes>(
           geodesic_sizes(sides, edges, surface, closest, options.geodesic));
     });
   });
-  const Room::Passes passes = room.passes(workings.sizes->by_edge.bytes());
-  const int loop_searches = room.loop_searches(workings.sizes->by_edge.bytes());
+  const Room::Passes passes = room.passes(sizes->by_edge.bytes());
+  const int loop_searches = room.loop_searches();
   for (const Side side : {Side::inside, Side::outside})
     (side == Side::inside ? workings.inside : workings.outside).complex =
         std::make_unique<GridComplex>(sides, edges, side);
   const GridComplex& inside = *workings.inside.complex;
   const GridComplex& outside = *workings.outside.complex;
   clock.run("pass", 0.5, seconds.pass, [&] {
-    with_threads(passes.threads, [&] { run_passes(surface, workings, passes.both_sides_at_once); });
+    with_threads(passes.threads,
+                 [&] { run_passes(surface, *sizes, workings, passes.both_sides_at_once); });
     return true;
   });
   if (options.engine == Engine::pair)
     analysis.pairs = clock.run("pair", 0.7, seconds.pair, [&] {
       std::vector<SurfacePair> pairs =
-          pair_simplices(surface, SizedSide{inside, workings.sizes_of(workings.inside)},
-                         SizedSide{outside, workings.sizes_of(workings.outside)}, options.pair);
+          pair_simplices(surface, SizedSide{inside, GridSizes(inside, edges, *sizes)},
+                         SizedSide{outside, GridSizes(outside, edges, *sizes)}, options.pair);
       if (orders_by_size(options.pair.refinement)) check_engines_agree(pairs, workings);
       return pairs;
     });
+  sizes.reset();
   analysis.loops = clock.run("loops", 0.8, seconds.loops, [&] {
     workings.classes = surface.boundary == Boundary::open
                            ? surface_classes(surface)

@@ -8,7 +8,6 @@
 #include "core/base/memory_budget.h"
 #include "core/base/progress.h"
 #include "core/complex/grid_complex.h"
-#include "core/complex/grid_sizes.h"
 #include "core/cube/sides.h"
 #include "core/engines/dual_pass.h"
 #include "core/engines/pair.h"
@@ -75,18 +74,16 @@ struct WorkedSide {
 };
 
 /// An analysis and all that it was made with, for what goes on from the loops. Where M has no loops
-/// there are no complexes. Sides, edges and sizes stay where they are: the complexes refer to them.
+/// there are no complexes. Sides and edges stay where they are: the complexes refer to them.
 struct Workings {
   std::unique_ptr<const Sides> sides;
   std::unique_ptr<const EdgeIndex> edges;
-  std::unique_ptr<const EdgeSizes> sizes;
   WorkedSide inside;
   WorkedSide outside;
   SurfaceClasses classes;
   Analysis analysis;
 
   const WorkedSide& on(Side side) const { return side == Side::inside ? inside : outside; }
-  GridSizes sizes_of(const WorkedSide& side) const { return {*side.complex, *edges, *sizes}; }
 };
 
 /// Both throw LimitExceeded before a stage that would take more than options.max_bytes.
