@@ -30,13 +30,15 @@ class Help(NamedTuple):
 
 
 def help_of(program, command=""):
-    words = [program, *([command] if command else []), "-h"]
+    words = [program, *([command, "--help-all"] if command else ["-h"])]
     lines = subprocess.run(words, capture_output=True, check=True, text=True).stdout.splitlines()
     sections, name = {"": []}, ""
     for line in lines[2:]:
-        if re.fullmatch(r"(Positionals|Options|Subcommands|Examples):", line):
+        if re.fullmatch(r"[A-Z][^:]*:", line):
             name = line[:-1]
-            sections[name] = []
+            if name not in ("Positionals", "Subcommands", "Examples"):
+                name = "Options"  # by groups
+            sections.setdefault(name, [])
         else:
             sections[name].append(line)
     rows = {key: rows_of(sections.get(key, [])) for key in ("Positionals", "Options", "Subcommands")}

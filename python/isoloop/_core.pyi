@@ -73,9 +73,9 @@ class ScanRange:
 
 class RepairFlags:
     def __init__(self) -> None: ...
-    fill_tunnels: Optional[float]
-    cut_handles: Optional[float]
-    either: Optional[float]
+    fill_tunnels: str
+    cut_handles: str
+    either: str
     genus: Optional[int]
     ids: str
     side: str

@@ -441,7 +441,8 @@ def repair(
     volume = _volume(volume)
     _want("side", side or None, ("handle", "tunnel"))
     asked = _core.RepairFlags()
-    asked.fill_tunnels, asked.cut_handles, asked.either = fill_tunnels, cut_handles, auto
+    lengths = ("" if one is None else repr(float(one)) for one in (fill_tunnels, cut_handles, auto))
+    asked.fill_tunnels, asked.cut_handles, asked.either = lengths
     asked.genus, asked.side = genus, side
     asked.ids = ids if isinstance(ids, str) else ",".join(ids)
     made = _input(volume, label, spacing, affine, frame, unit, nan_as)
