@@ -48,10 +48,9 @@ TEST(ReportJson, HasTheNamesOfTheDesign) {
       keys_of(json.at("loops").at(0)),
       (std::vector<std::string>{"id", "kind", "fix", "length", "found_length", "size", "component",
                                 "center_index", "center_world", "curves", "certificate"}));
-  EXPECT_EQ(
-      keys_of(json.at("seconds")),
-      (std::vector<std::string>{"read", "surface", "closest", "sizes", "pass", "loops", "total",
-                                "slowest_loops"}));
+  EXPECT_EQ(keys_of(json.at("seconds")),
+            (std::vector<std::string>{"read", "surface", "closest", "sizes", "pass", "loops",
+                                      "total", "slowest_loops"}));
 }
 
 TEST(ReportJson, StatesTheUnitWhereTheFileDoes) {
