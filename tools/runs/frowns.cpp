@@ -29,15 +29,15 @@ std::string label_warning(const RunInput& run, bool iso_is_stated) {
 }
 
 double inside_share_of_border(const RunInput& run) {
-  const Index3& dims = run.volume.dims;
   std::int64_t inside = 0;
   std::int64_t all = 0;
   std::visit(
-      [&](const auto& values) {
+      [&](const auto& grid) {
+        const Index3& dims = grid.dims;
         const auto look_at = [&](std::int64_t x, std::int64_t y, std::int64_t z) {
           ++all;
           const auto place = static_cast<std::size_t>(x + dims[0] * (y + dims[1] * z));
-          inside += level_of(values[place], run.level) >= 0.0 ? 1 : 0;
+          inside += level_of(grid.values[place], run.level) >= 0.0 ? 1 : 0;
         };
         for (std::int64_t z = 0; z < dims[2]; ++z)
           for (std::int64_t y = 0; y < dims[1]; ++y) {
@@ -46,7 +46,7 @@ double inside_share_of_border(const RunInput& run) {
             for (std::int64_t x = 0; x < dims[0]; x += step) look_at(x, y, z);
           }
       },
-      run.volume.values);
+      voxels_of(run));
   return static_cast<double>(inside) / static_cast<double>(all);
 }
 
