@@ -1,9 +1,11 @@
 # Debian packages of a build with the Python module: isoloop (the command, with pages and completions
 # made from its help), libisoloop-dev and python3-isoloop. packaging/build_packages makes them.
+find_package(Python 3.9 REQUIRED COMPONENTS Interpreter)
 set(help_folder "${PROJECT_BINARY_DIR}/from_help")
 add_custom_command(OUTPUT "${help_folder}/bash/isoloop"
   COMMAND "${Python_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/packaging/from_help.py"
     "$<TARGET_FILE:isoloop>" "${help_folder}"
+  COMMAND sh -c "gzip -9nf '${help_folder}'/man/*.1"
   DEPENDS isoloop "${PROJECT_SOURCE_DIR}/packaging/from_help.py"
   VERBATIM)
 add_custom_target(isoloop_pages ALL DEPENDS "${help_folder}/bash/isoloop")
@@ -48,8 +50,8 @@ math(EXPR next_python "${Python_VERSION_MINOR} + 1")
 isoloop_debian(command isoloop science ""
   "handles and tunnels of solids in volumes, found and proved"
   "Reads CT and MRI volumes, level sets, label maps and meshes, counts components,"
-  "tunnels and cavities, and draws round every handle and tunnel of the iso-surface"
-  "a loop that is proved to be one.")
+  "tunnels and cavities, and draws a loop round every handle and tunnel of the"
+  "iso-surface, which is proved to be one.")
 isoloop_debian(development libisoloop-dev libdevel
   "libtbb-dev, libopenvdb-dev, libtiff-dev, libpng-dev, zlib1g-dev, libboost-dev"
   "handles and tunnels of solids in volumes - static libraries and headers"
@@ -58,6 +60,6 @@ isoloop_debian(development libisoloop-dev libdevel
 isoloop_debian(python python3-isoloop python
   "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next_python}), python3-numpy"
   "handles and tunnels of solids in volumes - Python module"
-  "The module isoloop counts components, tunnels and cavities of NumPy arrays, finds"
-  "and proves every handle and tunnel loop, and repairs them away.")
+  "The module isoloop counts components, tunnels and cavities of NumPy arrays,"
+  "finds and proves every handle and tunnel loop, and repairs them away.")
 include(CPack)
