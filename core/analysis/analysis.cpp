@@ -12,7 +12,7 @@
 #include "core/base/stage.h"
 #include "core/base/threads.h"
 #include "core/complex/grid_complex.h"
-#include "core/cube/sides.h"
+#include "core/cube/voxel_sides.h"
 #include "core/engines/dual_pass.h"
 #include "core/engines/spanning_forest.h"
 #include "core/loops/certificate.h"
@@ -46,7 +46,7 @@ class StageClock {
 
 /// What depends on the sides of the voxels alone, and M.
 struct Cut {
-  std::unique_ptr<const Sides> sides;
+  std::unique_ptr<const VoxelSides> sides;
   std::unique_ptr<const EdgeIndex> edges;
   Surface surface;
 };
@@ -54,7 +54,8 @@ struct Cut {
 Cut cut_volume(const AnyGridView& grid, const IsoLevel& level, const AnalysisOptions& options,
                bool with_graph) {
   Cut cut;
-  cut.sides = std::make_unique<Sides>(classify(grid, level, options.boundary, options.max_bytes));
+  cut.sides =
+      std::make_unique<VoxelSides>(classify(grid, level, options.boundary, options.max_bytes));
   cut.edges = std::make_unique<EdgeIndex>(*cut.sides);
   const std::uint64_t lattice = cut.sides->lattice.vertex_count();
   check_memory("surface",
@@ -160,7 +161,7 @@ SolvedSide solved(const WorkedSide& side) {
   return {*side.complex, side.pass, side.borders, side.border_classes};
 }
 
-std::uint64_t count_volume_triangles(const Sides& sides, const EdgeIndex& edges) {
+std::uint64_t count_volume_triangles(const VoxelSides& sides, const EdgeIndex& edges) {
   return fan_triangle_count(GridComplex(sides, edges, Side::inside)) +
          fan_triangle_count(GridComplex(sides, edges, Side::outside));
 }
@@ -226,7 +227,7 @@ Workings work_out_loops(const AnyGridView& grid, const IsoLevel& level,
     workings.edges = std::move(cut.edges);
     return std::move(cut.surface);
   });
-  const Sides& sides = *workings.sides;
+  const VoxelSides& sides = *workings.sides;
   const EdgeIndex& edges = *workings.edges;
   const Surface& surface = analysis.surface;
   analysis.betti = betti_numbers(surface);

@@ -9,7 +9,7 @@
 #include "core/base/progress.h"
 #include "core/complex/grid_complex.h"
 #include "core/complex/grid_sizes.h"
-#include "core/cube/sides.h"
+#include "core/cube/voxel_sides.h"
 #include "core/engines/dual_pass.h"
 #include "core/engines/pair.h"
 #include "core/grid/grid.h"
@@ -74,9 +74,10 @@ struct WorkedSide {
 };
 
 /// An analysis and all that it was made with, for what goes on from the loops. Where M has no loops
-/// there are no complexes. Sides, edges and sizes stay where they are: the complexes refer to them.
+/// there are no complexes. VoxelSides, edges and sizes stay where they are: the complexes refer to
+/// them.
 struct Workings {
-  std::unique_ptr<const Sides> sides;
+  std::unique_ptr<const VoxelSides> sides;
   std::unique_ptr<const EdgeIndex> edges;
   std::unique_ptr<const EdgeSizes> sizes;
   WorkedSide inside;

@@ -75,7 +75,7 @@ LoopRemover::LoopRemover(const Workings& workings, const IsoLevel& level, VoxelV
       fixed_(workings.sides->lattice.vertex_count()) {
   const Lattice& lattice = workings.sides->lattice;
   for (std::uint32_t v = 0; v < lattice.vertex_count(); ++v) {
-    if ((workings.sides->cubes[v] & Sides::on_border) == 0) continue;
+    if ((workings.sides->cubes[v] & VoxelSides::on_border) == 0) continue;
     const auto p = lattice.position(v);
     for (std::size_t a = 0; a < 3; ++a) {
       const std::int64_t at = lattice.first[a] + p[a];

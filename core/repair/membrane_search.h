@@ -14,7 +14,7 @@
 namespace isoloop {
 
 /// Whether members differ by even or odd classes.
-using Parities = Potentials<char, std::bit_xor<>>;
+using ParitySets = Potentials<char, std::bit_xor<>>;
 
 /// Its nodes are the vertices and cells that it meets.
 template <HoldsVoxels C>
@@ -40,7 +40,7 @@ struct MembraneFinder<C>::Search {
     bool turned;          // its first side is the group's second
   };
 
-  Search(MembraneFinder& owner, const MembraneQuery& asked, const MembraneSearch& how)
+  Search(MembraneFinder& owner, const MembraneQuery& asked, const MembraneOptions& how)
       : finder(owner), query(asked), search(how) {}
   Search(const Search&) = delete;
   Search& operator=(const Search&) = delete;
@@ -58,7 +58,7 @@ struct MembraneFinder<C>::Search {
   std::uint32_t node_of(std::uint32_t number, bool is_vertex) {
     auto& place = (is_vertex ? finder.node_of_vertex_ : finder.node_of_cell_)[number];
     if (place == none) {
-      place = parities.add();
+      place = parity_sets.add();
       nodes.push_back({number, is_vertex, false});
     }
     return place;
@@ -145,8 +145,8 @@ struct MembraneFinder<C>::Search {
 
   MembraneFinder& finder;
   const MembraneQuery& query;
-  const MembraneSearch& search;
-  Parities parities;
+  const MembraneOptions& search;
+  ParitySets parity_sets;
   std::vector<Node> nodes;
   std::vector<std::uint32_t> near;  // vertices of N, from the loop outwards
   std::vector<Meeting> meetings;

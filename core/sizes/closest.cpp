@@ -156,7 +156,7 @@ void take_nearer(Field& field, const Field& other_field) {
 
 }  // namespace
 
-UnsetVector<std::uint32_t> closest_surface_vertices(const Sides& sides, const EdgeIndex& edges,
+UnsetVector<std::uint32_t> closest_surface_vertices(const VoxelSides& sides, const EdgeIndex& edges,
                                                     const Surface& surface) {
   const Lattice& lattice = sides.lattice;
   Field nearest(lattice.vertex_count());

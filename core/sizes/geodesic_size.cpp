@@ -26,7 +26,7 @@ constexpr double rounding = 1e-5;     // of sums of single precision, relative
 /// 64 block .. 64 block + 63, or halves of them: a and b are the surface vertices closest to its
 /// ends.
 template <class Visit>
-void visit_end_pairs(const Sides& sides, const EdgeIndex& edges,
+void visit_end_pairs(const VoxelSides& sides, const EdgeIndex& edges,
                      std::span<const std::uint32_t> closest, std::uint32_t block,
                      const Visit& visit) {
   const Lattice& lattice = sides.lattice;
@@ -51,14 +51,14 @@ void visit_end_pairs(const Sides& sides, const EdgeIndex& edges,
 
 /// The same for all blocks, many at a time.
 template <class Visit>
-void for_each_end_pair(const Sides& sides, const EdgeIndex& edges,
+void for_each_end_pair(const VoxelSides& sides, const EdgeIndex& edges,
                        std::span<const std::uint32_t> closest, const Visit& visit) {
   tbb::parallel_for(std::uint32_t{0}, edges.block_count(), [&](std::uint32_t block) {
     visit_end_pairs(sides, edges, closest, block, visit);
   });
 }
 
-VertexPairs collect_pairs(const Sides& sides, const EdgeIndex& edges, const Surface& surface,
+VertexPairs collect_pairs(const VoxelSides& sides, const EdgeIndex& edges, const Surface& surface,
                           std::span<const std::uint32_t> closest) {
   const auto& component = surface.component_of_vertex;
   PairCollector collector(static_cast<std::uint32_t>(surface.points.size()));
@@ -214,7 +214,7 @@ std::vector<float> pair_lengths(const Surface& surface, const VertexPairs& pairs
 }
 
 /// The edges whose size is not 0, but for outside halves.
-EdgeSet edges_of_size(const Sides& sides, const EdgeIndex& edges,
+EdgeSet edges_of_size(const VoxelSides& sides, const EdgeIndex& edges,
                       std::span<const std::uint32_t> closest) {
   return EdgeSet(sides.lattice.vertex_count(), [&](std::uint32_t block) {
     EdgeSet::BlockBits not_zero{};
@@ -230,7 +230,7 @@ EdgeSet edges_of_size(const Sides& sides, const EdgeIndex& edges,
 
 }  // namespace
 
-EdgeSizes geodesic_sizes(const Sides& sides, const EdgeIndex& edges, const Surface& surface,
+EdgeSizes geodesic_sizes(const VoxelSides& sides, const EdgeIndex& edges, const Surface& surface,
                          std::span<const std::uint32_t> closest, GeodesicMode mode) {
   const VertexPairs pairs = collect_pairs(sides, edges, surface, closest);
   const std::vector<float> lengths = pair_lengths(surface, pairs, mode);

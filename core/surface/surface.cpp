@@ -45,7 +45,7 @@ double share_from_lower(const GridView<T>& grid, const IsoLevel& level, const In
 }
 
 template <class T>
-void place_vertices(const GridView<T>& grid, const IsoLevel& level, const Sides& sides,
+void place_vertices(const GridView<T>& grid, const IsoLevel& level, const VoxelSides& sides,
                     const EdgeIndex& edges, Surface& surface) {
   tbb::parallel_for(std::uint32_t{0}, edges.block_count(), [&](std::uint32_t b) {
     edges.visit_block(b, [&](std::uint32_t vertex, std::uint32_t grid_edge) {
@@ -62,7 +62,7 @@ void place_vertices(const GridView<T>& grid, const IsoLevel& level, const Sides&
 }
 
 template <class T>
-void place_rings(const GridView<T>& grid, const IsoLevel& level, const Sides& sides,
+void place_rings(const GridView<T>& grid, const IsoLevel& level, const VoxelSides& sides,
                  const EdgeIndex& edges, Surface& surface) {
   for (std::size_t t = 0; t < sides.tunnels.size(); ++t) {
     const auto& [cube, hub] = sides.tunnels[t];
@@ -79,13 +79,13 @@ void place_rings(const GridView<T>& grid, const IsoLevel& level, const Sides& si
 
 /// Calls visit(cube, cut) for the cut cubes of one layer, in scan order.
 template <class Visit>
-void for_each_cut_cube(const Sides& sides, std::uint32_t layer, const Visit& visit) {
+void for_each_cut_cube(const VoxelSides& sides, std::uint32_t layer, const Visit& visit) {
   const std::uint32_t begin = layer * sides.lattice.stride[2];
   for (std::uint32_t v = begin; v < begin + sides.lattice.stride[2]; ++v)
-    if ((sides.cubes[v] & Sides::is_cut) != 0) visit(v, cut_at(sides, v));
+    if ((sides.cubes[v] & VoxelSides::is_cut) != 0) visit(v, cut_at(sides, v));
 }
 
-void triangulate(const Sides& sides, const EdgeIndex& edges, Surface& surface) {
+void triangulate(const VoxelSides& sides, const EdgeIndex& edges, Surface& surface) {
   const std::uint32_t layers = sides.lattice.dims[2];
   std::vector<std::int64_t> polygons(layers);
   std::vector<std::size_t> first(layers + 1);
@@ -117,7 +117,8 @@ void triangulate(const Sides& sides, const EdgeIndex& edges, Surface& surface) {
 
 /// An edge that no other triangle runs along the other way lies on the border of the box, and so do
 /// the grid edges of its ends.
-std::vector<std::array<std::uint32_t, 2>> find_border(const Sides& sides, const Surface& surface) {
+std::vector<std::array<std::uint32_t, 2>> find_border(const VoxelSides& sides,
+                                                      const Surface& surface) {
   if (sides.boundary == Boundary::closed) return {};
   struct Directed {
     std::array<std::uint32_t, 2> ends;  // ascending
@@ -126,7 +127,7 @@ std::vector<std::array<std::uint32_t, 2>> find_border(const Sides& sides, const 
   };
   const auto near_border = [&](std::uint32_t vertex) {
     return vertex < surface.grid_edges.size() &&
-           (sides.cubes[surface.grid_edges[vertex] / 3] & Sides::on_border) != 0;
+           (sides.cubes[surface.grid_edges[vertex] / 3] & VoxelSides::on_border) != 0;
   };
   std::vector<Directed> found;
   for (const auto& triangle : surface.triangles)
@@ -194,7 +195,7 @@ void build_graph(Surface& surface) {
 
 /// Where M is closed, a component's first crossing of any grid row leads into the region that it
 /// encloses; so the side before its first vertex on an x-edge tells whether it encloses I or O.
-void number_components(const Sides& sides, Surface& surface) {
+void number_components(const VoxelSides& sides, Surface& surface) {
   const auto count = static_cast<std::uint32_t>(surface.points.size());
   DisjointSets sets(count);
   for (const auto& [a, b, c] : surface.triangles) {
@@ -257,7 +258,7 @@ std::int64_t Surface::betti1() const {
   return sum;
 }
 
-Surface extract_surface(const AnyGridView& grid, const IsoLevel& level, const Sides& sides,
+Surface extract_surface(const AnyGridView& grid, const IsoLevel& level, const VoxelSides& sides,
                         const EdgeIndex& edges, bool with_graph) {
   Surface surface;
   surface.spacing = std::visit([](const auto& view) { return view.spacing; }, grid);

@@ -110,7 +110,7 @@ inline std::optional<SmallVolume> small_surface(std::uint32_t seed) {
   const Index3 dims{4 + seed % 10, 4 + seed / 10 % 10, 4 + seed / 100 % 10};
   SmallVolume volume = seed % 4 == 0 ? white_noise(dims, seed)
                                      : smooth_noise(dims, seed, static_cast<int>(seed % 4 / 2 + 1));
-  const Sides sides = classify(volume.view(), zero_level);
+  const VoxelSides sides = classify(volume.view(), zero_level);
   const Surface surface = extract_surface(volume.view(), zero_level, sides, EdgeIndex(sides));
   if (surface.triangles.size() > 2000 || surface.genus() < 1 || surface.genus() > 8) return {};
   return volume;

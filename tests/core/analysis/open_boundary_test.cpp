@@ -136,7 +136,7 @@ std::array<std::int64_t, 3> betti_by_ranks(const SmallVolume& volume) {
   std::array<std::uint32_t, 3> dims{};
   for (int a = 0; a < 3; ++a) dims[a] = static_cast<std::uint32_t>(volume.dims[a]);
   const Lattice box = make_lattice({0, 0, 0}, dims);
-  const Sides sides = classify(volume.view(), testing::zero_level, Boundary::open);
+  const VoxelSides sides = classify(volume.view(), testing::zero_level, Boundary::open);
   return oracle::betti_of_m(
       oracle::build_complex(volume.values, volume.dims, box, testing::walls_of(sides, box)));
 }

@@ -24,12 +24,12 @@ namespace isoloop {
 /// afterwards, the common walks reach all classes that cross A evenly, and what bounds inside, or
 /// outside, still does. check() asks for all of this. It needs no choice of loops: every class that
 /// A leaves is still there, of the same kind.
-class ClassPassage {
+class HomologyMap {
  public:
   /// `changed`: by vertex of before's lattice. `removed`: a basis of A, as class_of() gives it.
   /// Both boundaries must be closed, and the genus before not 0.
-  ClassPassage(const Workings& before, const Workings& after, const std::vector<bool>& changed,
-               std::span<const GeneratorSet> removed);
+  HomologyMap(const Workings& before, const Workings& after, const std::vector<bool>& changed,
+              std::span<const GeneratorSet> removed);
 
   /// Nothing if all that A leaves is still there and no more; else what is wrong.
   std::optional<std::string> check() const;
@@ -39,14 +39,15 @@ class ClassPassage {
   std::optional<GeneratorSet> image(const GeneratorSet& before) const;
 
  private:
-  struct Row {
+  struct ClassPair {
     GeneratorSet before;
     GeneratorSet after;
   };
-  using Rows = std::map<std::uint32_t, Row>;  // by pivot: the least element of `before`
+  using ReducedPairs =
+      std::map<std::uint32_t, ClassPair>;  // by pivot: the least element of `before`
 
-  static void reduce(const Rows& rows, Row& row);
-  void add(Rows& rows, Row row);
+  static void reduce(const ReducedPairs& rows, ClassPair& row);
+  void add(ReducedPairs& rows, ClassPair row);
   bool keeps_kind(bool turned) const;
 
   std::uint32_t before_inside_ = 0;
@@ -55,7 +56,7 @@ class ClassPassage {
   std::uint32_t after_rank_ = 0;
   std::size_t removed_ = 0;
   bool is_map_ = true;  // equal classes before have equal classes after
-  Rows rows_;           // pairs of classes of common walks, and A with 0
+  ReducedPairs rows_;   // pairs of classes of common walks, and A with 0
 };
 
 }  // namespace isoloop

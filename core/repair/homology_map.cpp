@@ -1,4 +1,4 @@
-#include "core/repair/class_passage.h"
+#include "core/repair/homology_map.h"
 
 #include <algorithm>
 #include <array>
@@ -101,8 +101,8 @@ GeneratorSet set_of(const LabelPool& pool, std::uint32_t label) {
 
 }  // namespace
 
-ClassPassage::ClassPassage(const Workings& before, const Workings& after,
-                           const std::vector<bool>& changed, std::span<const GeneratorSet> removed)
+HomologyMap::HomologyMap(const Workings& before, const Workings& after,
+                         const std::vector<bool>& changed, std::span<const GeneratorSet> removed)
     : before_inside_(before.classes.inside_rank),
       before_rank_(before.classes.inside_rank + before.classes.outside_rank),
       after_inside_(after.classes.inside_rank),
@@ -116,7 +116,7 @@ ClassPassage::ClassPassage(const Workings& before, const Workings& after,
     add(rows_, {set_of(forest.sum.before, walk.before), set_of(forest.sum.after, walk.after)});
 }
 
-void ClassPassage::reduce(const Rows& rows, Row& row) {
+void HomologyMap::reduce(const ReducedPairs& rows, ClassPair& row) {
   for (std::size_t i = 0; i < row.before.size();) {
     const auto pivot = rows.find(row.before[i]);
     if (pivot == rows.end()) {
@@ -129,7 +129,7 @@ void ClassPassage::reduce(const Rows& rows, Row& row) {
   }
 }
 
-void ClassPassage::add(Rows& rows, Row row) {
+void HomologyMap::add(ReducedPairs& rows, ClassPair row) {
   reduce(rows, row);
   if (row.before.empty()) {
     is_map_ = is_map_ && row.after.empty();
@@ -141,16 +141,16 @@ void ClassPassage::add(Rows& rows, Row row) {
 
 /// Whether classes before without a generator below `border` have none below `border_after`
 /// afterwards; with `turned`, without one from there on.
-bool ClassPassage::keeps_kind(bool turned) const {
+bool HomologyMap::keeps_kind(bool turned) const {
   const auto swapped = [](GeneratorSet set, std::uint32_t border, std::uint32_t rank) {
     for (std::uint32_t& generator : set)
       generator = generator < border ? generator + rank - border : generator - border;
     std::sort(set.begin(), set.end());
     return set;
   };
-  Rows rows;
+  ReducedPairs rows;
   for (const auto& [pivot, row] : rows_) {
-    Row other = row;
+    ClassPair other = row;
     if (turned) {
       other.before = swapped(row.before, before_inside_, before_rank_);
       other.after = swapped(row.after, after_inside_, after_rank_);
@@ -167,7 +167,7 @@ bool ClassPassage::keeps_kind(bool turned) const {
   });
 }
 
-std::optional<std::string> ClassPassage::check() const {
+std::optional<std::string> HomologyMap::check() const {
   if (!is_map_) return "a loop that bounded before no longer does";
   if (after_rank_ + 2 * removed_ != before_rank_)
     return "the genus dropped by " + std::to_string((before_rank_ - after_rank_) / 2) + ", not " +
@@ -185,8 +185,8 @@ std::optional<std::string> ClassPassage::check() const {
   return std::nullopt;
 }
 
-std::optional<GeneratorSet> ClassPassage::image(const GeneratorSet& before) const {
-  Row row{before, {}};
+std::optional<GeneratorSet> HomologyMap::image(const GeneratorSet& before) const {
+  ClassPair row{before, {}};
   reduce(rows_, row);
   if (!row.before.empty()) return std::nullopt;
   return row.after;
