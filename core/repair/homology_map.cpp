@@ -1,7 +1,5 @@
 #include "core/repair/homology_map.h"
 
-#include <algorithm>
-#include <array>
 #include <set>
 #include <utility>
 
@@ -111,60 +109,37 @@ HomologyMap::HomologyMap(const Workings& before, const Workings& after,
   WalkForest forest(SumOfClasses{before.classes.pool, after.classes.pool});
   for (std::size_t v = 0; v < before.analysis.surface.points.size(); ++v) forest.add();
   const auto walks = common_walks(forest, before, after, changed);
-  for (const GeneratorSet& cycle : removed) add(rows_, {cycle, {}});
+  for (const GeneratorSet& cycle : removed) add({cycle, {}});
   for (const WalkClasses& walk : walks)
-    add(rows_, {set_of(forest.sum.before, walk.before), set_of(forest.sum.after, walk.after)});
+    add({set_of(forest.sum.before, walk.before), set_of(forest.sum.after, walk.after)});
 }
 
-void HomologyMap::reduce(const ReducedPairs& rows, ClassPair& row) {
-  for (std::size_t i = 0; i < row.before.size();) {
-    const auto pivot = rows.find(row.before[i]);
-    if (pivot == rows.end()) {
-      ++i;  // elements before it are no pivots
-      continue;
-    }
-    // The pivot is the least element of its row: what lies before position i stays as it is.
-    row.before = sum_of(row.before, pivot->second.before);
-    row.after = sum_of(row.after, pivot->second.after);
+void HomologyMap::add(ClassPair pair) {
+  if (basis_.add(pair.before)) {
+    pairs_.push_back(std::move(pair));
+  } else if (image(pair.before) != pair.after) {
+    is_map_ = false;
   }
 }
 
-void HomologyMap::add(ReducedPairs& rows, ClassPair row) {
-  reduce(rows, row);
-  if (row.before.empty()) {
-    is_map_ = is_map_ && row.after.empty();
-    return;
-  }
-  const std::uint32_t pivot = row.before.front();
-  rows.emplace(pivot, std::move(row));
-}
-
-/// Whether classes before without a generator below `border` have none below `border_after`
-/// afterwards; with `turned`, without one from there on.
-bool HomologyMap::keeps_kind(bool turned) const {
-  const auto swapped = [](GeneratorSet set, std::uint32_t border, std::uint32_t rank) {
-    for (std::uint32_t& generator : set)
-      generator = generator < border ? generator + rank - border : generator - border;
-    std::sort(set.begin(), set.end());
-    return set;
+bool HomologyMap::keeps_kind(Side bounding) const {
+  // Of each pair, what tells it from a class that bounds on that side: after the change at its own
+  // number, before it at higher ones. A row of the basis with nothing of the higher ones is the
+  // pair of a class that bounded there.
+  const auto tells = [&](std::uint32_t generator, std::uint32_t inside_rank) {
+    return (generator < inside_rank) == (bounding == Side::inside);
   };
-  ReducedPairs rows;
-  for (const auto& [pivot, row] : rows_) {
-    ClassPair other = row;
-    if (turned) {
-      other.before = swapped(row.before, before_inside_, before_rank_);
-      other.after = swapped(row.after, after_inside_, after_rank_);
-    }
-    reduce(rows, other);
-    const std::uint32_t first = other.before.front();
-    rows.emplace(first, std::move(other));
+  Z2Basis basis;
+  for (const ClassPair& pair : pairs_) {
+    GeneratorSet telling;
+    for (const std::uint32_t generator : pair.after)
+      if (tells(generator, after_inside_)) telling.push_back(generator);
+    for (const std::uint32_t generator : pair.before)
+      if (tells(generator, before_inside_)) telling.push_back(after_rank_ + generator);
+    const auto pivot = basis.add(telling);
+    if (pivot && *pivot < after_rank_) return false;
   }
-  const std::uint32_t border = turned ? before_rank_ - before_inside_ : before_inside_;
-  const std::uint32_t border_after = turned ? after_rank_ - after_inside_ : after_inside_;
-  return std::all_of(rows.lower_bound(border), rows.end(), [&](const auto& entry) {
-    const GeneratorSet& after = entry.second.after;
-    return after.empty() || after.front() >= border_after;
-  });
+  return true;
 }
 
 std::optional<std::string> HomologyMap::check() const {
@@ -172,24 +147,25 @@ std::optional<std::string> HomologyMap::check() const {
   if (after_rank_ + 2 * removed_ != before_rank_)
     return "the genus dropped by " + std::to_string((before_rank_ - after_rank_) / 2) + ", not " +
            std::to_string(removed_);
-  if (rows_.size() + removed_ != before_rank_)
-    return "walks apart from what changed reach " + std::to_string(rows_.size()) +
+  if (pairs_.size() + removed_ != before_rank_)
+    return "walks apart from what changed reach " + std::to_string(pairs_.size()) +
            " independent classes, not " + std::to_string(before_rank_ - removed_);
   Z2Basis reached;
-  for (const auto& [pivot, row] : rows_) reached.add(row.after);
+  for (const ClassPair& pair : pairs_) reached.add(pair.after);
   if (reached.rank() != after_rank_)
     return "of " + std::to_string(after_rank_) + " independent loops only " +
            std::to_string(reached.rank()) + " were there before";
-  if (!keeps_kind(false)) return "a handle loop no longer is one";
-  if (!keeps_kind(true)) return "a tunnel loop no longer is one";
+  if (!keeps_kind(Side::inside)) return "a handle loop no longer is one";
+  if (!keeps_kind(Side::outside)) return "a tunnel loop no longer is one";
   return std::nullopt;
 }
 
 std::optional<GeneratorSet> HomologyMap::image(const GeneratorSet& before) const {
-  ClassPair row{before, {}};
-  reduce(rows_, row);
-  if (!row.before.empty()) return std::nullopt;
-  return row.after;
+  const auto pairs = basis_.coordinates(before);
+  if (!pairs) return std::nullopt;
+  GeneratorSet after;
+  for (const std::uint32_t k : *pairs) after = sum_of(after, pairs_[k].after);
+  return after;
 }
 
 }  // namespace isoloop

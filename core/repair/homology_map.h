@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,6 +10,7 @@
 
 #include "core/analysis/analysis.h"
 #include "core/z2/label.h"
+#include "core/z2/z2_basis.h"
 
 namespace isoloop {
 
@@ -39,24 +39,24 @@ class HomologyMap {
   std::optional<GeneratorSet> image(const GeneratorSet& before) const;
 
  private:
-  struct ClassPair {
+  struct ClassPair {  // of one walk
     GeneratorSet before;
     GeneratorSet after;
   };
-  using ReducedPairs =
-      std::map<std::uint32_t, ClassPair>;  // by pivot: the least element of `before`
 
-  static void reduce(const ReducedPairs& rows, ClassPair& row);
-  void add(ReducedPairs& rows, ClassPair row);
-  bool keeps_kind(bool turned) const;
+  void add(ClassPair pair);
+
+  /// Whether the classes that bounded on that side do so afterwards.
+  bool keeps_kind(Side bounding) const;
 
   std::uint32_t before_inside_ = 0;
   std::uint32_t before_rank_ = 0;
   std::uint32_t after_inside_ = 0;
   std::uint32_t after_rank_ = 0;
   std::size_t removed_ = 0;
-  bool is_map_ = true;  // equal classes before have equal classes after
-  ReducedPairs rows_;   // pairs of classes of common walks, and A with 0
+  bool is_map_ = true;            // equal classes before have equal classes after
+  std::vector<ClassPair> pairs_;  // of common walks, and A with 0, independent before
+  Z2Basis basis_;                 // of the classes before
 };
 
 }  // namespace isoloop
