@@ -21,11 +21,6 @@ bool face_exists(const Lattice& lattice, const std::array<std::uint32_t, 3>& p, 
   return p[b] + 1 < lattice.dims[b] && p[c] + 1 < lattice.dims[c];
 }
 
-std::uint32_t corner_of(const Lattice& lattice, std::uint32_t cube, int corner) {
-  for (int a = 0; a < 3; ++a) cube += (corner >> a & 1) * lattice.stride[a];
-  return cube;
-}
-
 /// The cubes round an edge, by lowest corner, in the order of GridComplex::face_pieces().
 std::array<std::uint32_t, 4> cubes_round(const Lattice& lattice, std::uint32_t edge) {
   const std::uint32_t v = edge / 3;
@@ -272,7 +267,7 @@ InplaceVector<std::uint32_t, 4> GridComplex::corners(std::uint32_t piece) const 
   if (is_wall(piece)) {
     const VoxelSides::Tunnel& tunnel = tunnel_of(piece);
     for (const std::uint8_t corner : cut_at(sides_, tunnel).wall.corners)
-      list.push_back(corner_of(sides_.lattice, tunnel.cube, corner));
+      list.push_back(sides_.lattice.corner(tunnel.cube, static_cast<unsigned>(corner)));
     return list;
   }
   const Piece p = describe(piece);

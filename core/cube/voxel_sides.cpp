@@ -193,11 +193,9 @@ void mark_far_faces(const FaceBits& faces, const std::array<std::uint32_t, 3>& p
 /// The cube's cut without a tunnel has room for one only where all its corners lie in the grid.
 template <class T>
 std::optional<int> find_hub(const GridView<T>& grid, const IsoLevel& level, const Lattice& lattice,
-                            const std::array<std::uint32_t, 3>& p, const CubeCut& cut) {
+                            std::uint32_t cube, const CubeCut& cut) {
   if (level.topology == Topology::simple || cut.hubs.count == 0) return std::nullopt;
-  Index3 lowest{};
-  for (int a = 0; a < 3; ++a) lowest[a] = lattice.first[a] + p[a];
-  return tunnel_hub(cut, corner_levels(grid, level, lowest));
+  return tunnel_hub(cut, corner_levels(grid, level, lattice.voxel_at(cube)));
 }
 
 template <class T>
@@ -217,7 +215,7 @@ void mark_cubes(const GridView<T>& grid, const IsoLevel& level, VoxelSides& side
         if ((faces.ambiguous & 0b010101U) != 0) flags |= VoxelSides::has_ambiguous_face;
         const auto joined = static_cast<std::uint8_t>(faces.joined);
         const CubeCut& plain = cube_cut(corners, joined, false);
-        const std::optional<int> hub = find_hub(grid, level, lattice, {x, y, z}, plain);
+        const std::optional<int> hub = find_hub(grid, level, lattice, v, plain);
         if (hub) tunnels[z].push_back({v, static_cast<std::uint8_t>(*hub)});
         const CubeCut& cut = hub ? tunnel_cut(corners, joined, false, *hub).cut : plain;
         if (cut.cell_count[0] > 1) flags |= VoxelSides::many_outside_cells;
@@ -307,10 +305,8 @@ std::uint8_t joined_faces(const VoxelSides& sides, std::uint32_t vertex) {
 namespace {
 
 bool is_odd(const VoxelSides& sides, std::uint32_t vertex) {
-  const auto p = sides.lattice.position(vertex);
-  std::int64_t sum = 0;
-  for (int a = 0; a < 3; ++a) sum += sides.lattice.first[a] + p[a];
-  return (sum & 1) != 0;
+  const Index3 voxel = sides.lattice.voxel_at(vertex);
+  return ((voxel[0] + voxel[1] + voxel[2]) & 1) != 0;
 }
 
 }  // namespace

@@ -21,11 +21,9 @@ bool visits_twice(Curve curve) {
 /// What is left of a closed walk over Z2, where an edge taken twice is not taken at all.
 std::vector<Curve> without_repeated_edges(const Curve& walk) {
   std::vector<std::array<std::uint32_t, 2>> edges;
-  for (std::size_t i = 0; i < walk.size(); ++i) {
-    const std::uint32_t u = walk[i];
-    const std::uint32_t v = walk[(i + 1) % walk.size()];
+  for_each_edge(walk, [&](std::uint32_t u, std::uint32_t v) {
     edges.push_back({std::min(u, v), std::max(u, v)});
-  }
+  });
   std::sort(edges.begin(), edges.end());
   std::vector<std::array<std::uint32_t, 2>> odd;
   for (const auto& edge : edges) {

@@ -11,10 +11,7 @@ namespace {
 /// Finds, for vertices of one surface, those of another one that lie at the same places.
 class SameVertices {
  public:
-  SameVertices(const Workings& from, const Workings& to) : from_(from), to_(to) {
-    for (std::size_t a = 0; a < 3; ++a)
-      shift_[a] = from.sides->lattice.first[a] - to.sides->lattice.first[a];
-  }
+  SameVertices(const Workings& from, const Workings& to) : from_(from), to_(to) {}
 
   std::uint32_t of(std::uint32_t vertex) const {
     const std::uint32_t on_edges = from_.edges->count();
@@ -30,14 +27,11 @@ class SameVertices {
 
  private:
   std::uint32_t moved(std::uint32_t lattice_vertex) const {
-    const auto p = from_.sides->lattice.position(lattice_vertex);
-    const auto along = [&](std::size_t a) { return static_cast<std::uint32_t>(p[a] + shift_[a]); };
-    return to_.sides->lattice.vertex(along(0), along(1), along(2));
+    return *to_.sides->lattice.vertex_at(from_.sides->lattice.voxel_at(lattice_vertex));
   }
 
   const Workings& from_;
   const Workings& to_;
-  Index3 shift_{};
 };
 
 /// The classes of a walk before and after, as numbers in the pools of a SumOfClasses.
@@ -66,11 +60,8 @@ std::set<WalkClasses> common_walks(WalkForest& forest, const Workings& before,
   const Lattice& lattice = before.sides->lattice;
   const SameVertices same(before, after);
   const auto is_common = [&](std::uint32_t cube) {
-    for (unsigned c = 0; c < 8; ++c) {
-      std::uint32_t corner = cube;
-      for (unsigned a = 0; a < 3; ++a) corner += (c >> a & 1U) * lattice.stride[a];
-      if (changed[corner]) return false;
-    }
+    for (unsigned c = 0; c < 8; ++c)
+      if (changed[lattice.corner(cube, c)]) return false;
     return true;
   };
   const auto step_after = [&](std::uint32_t a, std::uint32_t b) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/analysis.h"
+#include "core/analysis/workings.h"
 #include "core/z2/label.h"
 #include "core/z2/z2_basis.h"
 

@@ -124,8 +124,7 @@ struct MembraneFinder<C>::Search {
   void for_each_corner(const Incidence& at, const Visit& visit) const {
     const Lattice& lattice = finder.sides_.lattice;
     for (unsigned c = 0; c < 8; ++c) {
-      std::uint32_t corner = at.cube;
-      for (unsigned a = 0; a < 3; ++a) corner += (c >> a & 1U) * lattice.stride[a];
+      const std::uint32_t corner = lattice.corner(at.cube, c);
       if (is_here(corner) && finder.complex_.cell_at(at.cube, corner) == at.cell) visit(corner);
     }
   }

@@ -67,16 +67,9 @@ std::vector<Target> carried(const std::vector<Target>& targets, const Workings& 
     target.site.crossing = after.on(side).border_classes.coordinates(target.site.other).value();
     std::vector<std::uint32_t> edges;
     for (const std::uint32_t edge : target.site.edges) {
-      const auto p = from.position(edge / 3);
-      std::array<std::uint32_t, 3> q{};
-      bool within = true;
-      for (std::size_t a = 0; a < 3; ++a) {
-        const std::int64_t at = from.first[a] + p[a] - to.first[a];
-        within = within && at >= 0 && at < to.dims[a];
-        q[a] = static_cast<std::uint32_t>(at);
-      }
-      if (!within) continue;
-      const std::uint32_t moved = 3 * to.vertex(q[0], q[1], q[2]) + edge % 3;
+      const auto end = to.vertex_at(from.voxel_at(edge / 3));
+      if (!end) continue;
+      const std::uint32_t moved = 3 * *end + edge % 3;
       if (after.edges->is_cut(moved)) edges.push_back(moved);
     }
     target.site.edges = std::move(edges);

@@ -24,7 +24,7 @@ struct Repair : RepairChanges {
 /// tunnel that crosses it, and a tunnel by cutting.
 ///
 /// The boundary must be closed. Throws InvalidArgument (an id that does not exist, an open
-/// boundary), SelfCheckFailed if a loop cannot be removed so, naming it, and what find_loops()
+/// boundary), SelfCheckFailed if a loop cannot be removed so, naming it, and what analyze()
 /// throws.
 Repair repair_loops(const AnyGridView& grid, const IsoLevel& level, const RepairRequest& request,
                     const AnalysisOptions& options = {});

@@ -49,10 +49,8 @@ void place_vertices(const GridView<T>& grid, const IsoLevel& level, const VoxelS
                     const EdgeIndex& edges, Surface& surface) {
   tbb::parallel_for(std::uint32_t{0}, edges.block_count(), [&](std::uint32_t b) {
     edges.visit_block(b, [&](std::uint32_t vertex, std::uint32_t grid_edge) {
-      const auto p = sides.lattice.position(grid_edge / 3);
+      const Index3 lower = sides.lattice.voxel_at(grid_edge / 3);
       const int axis = static_cast<int>(grid_edge % 3);
-      Index3 lower{};
-      for (int a = 0; a < 3; ++a) lower[a] = sides.lattice.first[a] + p[a];
       for (int a = 0; a < 3; ++a) surface.points[vertex][a] = static_cast<float>(lower[a]);
       surface.points[vertex][axis] = static_cast<float>(static_cast<double>(lower[axis]) +
                                                         share_from_lower(grid, level, lower, axis));
@@ -66,9 +64,7 @@ void place_rings(const GridView<T>& grid, const IsoLevel& level, const VoxelSide
                  const EdgeIndex& edges, Surface& surface) {
   for (std::size_t t = 0; t < sides.tunnels.size(); ++t) {
     const auto& [cube, hub] = sides.tunnels[t];
-    const auto p = sides.lattice.position(cube);
-    Index3 lowest{};
-    for (int a = 0; a < 3; ++a) lowest[a] = sides.lattice.first[a] + p[a];
+    const Index3 lowest = sides.lattice.voxel_at(cube);
     const auto ring = tunnel_ring(corner_levels(grid, level, lowest), hub, least_share(lowest));
     for (int i = 0; i < ring_size; ++i)
       for (int a = 0; a < 3; ++a)

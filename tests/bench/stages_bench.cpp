@@ -67,7 +67,7 @@ void run_count(const Prepared& p) {
   benchmark::DoNotOptimize(count_topology(p.grid, p.shape.level));
 }
 
-void run_all(const Prepared& p) { benchmark::DoNotOptimize(find_loops(p.grid, p.shape.level)); }
+void run_all(const Prepared& p) { benchmark::DoNotOptimize(analyze(p.grid, p.shape.level)); }
 
 using Stage = void (*)(const Prepared&);
 

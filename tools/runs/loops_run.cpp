@@ -22,15 +22,15 @@ LoopsRun found_run(const LoopsInput& input, const Progress& progress) {
   run.refinement = pair.refinement;
   run.tighten = tighten;
   run.filter = input.filter;
-  run.analysis = find_loops(view(run.volume), run.level,
-                            {.boundary = boundary,
-                             .geodesic = run.geodesic,
-                             .engine = run.engine,
-                             .tighten = run.tighten,
-                             .pair = pair,
-                             .count_volume_triangles = input.engine.stats,
-                             .progress = progress,
-                             .max_bytes = run.cost.max_bytes});
+  run.analysis = analyze(view(run.volume), run.level,
+                         {.boundary = boundary,
+                          .geodesic = run.geodesic,
+                          .engine = run.engine,
+                          .tighten = run.tighten,
+                          .pair = pair,
+                          .count_volume_triangles = input.engine.stats,
+                          .progress = progress,
+                          .max_bytes = run.cost.max_bytes});
   check_counts(run.analysis);
   check_loops(run.analysis);
   run.reported = select_loops(run.analysis.loops, input.filter);

@@ -50,7 +50,7 @@ struct Change {
 
 TEST(HomologyMap, LeavesAllButTheRemovedLoop) {
   const SmallVolume volume = testing::smooth_noise({14, 13, 12}, 3, 2);
-  const std::size_t count = find_loops(volume.view(), zero_level).loops.size();
+  const std::size_t count = analyze(volume.view(), zero_level).loops.size();
   ASSERT_GE(count, 6U);
   for (std::size_t loop = 0; loop < count; ++loop) {
     const Change change(volume, loop);
