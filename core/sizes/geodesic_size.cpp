@@ -20,7 +20,6 @@ constexpr float unknown = -1.0F;
 constexpr float infinite = std::numeric_limits<float>::infinity();
 constexpr double exact_radius = 5.0;  // voxels
 constexpr double level_radius = 8.0;  // blocks of the level
-constexpr double rounding = 1e-5;     // of sums of single precision, relative
 
 /// Calls visit(edge, is_outside_half, a, b) for K's edges that are grid edges at lattice vertices
 /// 64 block .. 64 block + 63, or halves of them: a and b are the surface vertices closest to its
@@ -77,69 +76,43 @@ VertexPairs collect_pairs(const VoxelSides& sides, const EdgeIndex& edges, const
   return collector.take();
 }
 
-/// Some points, as a ball that holds them.
-struct Ball {
-  Vec3 center{};
-  double radius = 0.0;
-  std::size_t count = 0;
-};
-
-/// `visit_all(visit)` calls visit(point) for each.
-template <class VisitAll>
-Ball ball_around(const VisitAll& visit_all) {
-  Ball ball;
-  visit_all([&](const Vec3& point) {
-    ++ball.count;
-    for (int a = 0; a < 3; ++a) ball.center[a] += point[a];
-  });
-  for (double& x : ball.center) x /= static_cast<double>(std::max<std::size_t>(ball.count, 1));
-  visit_all([&](const Vec3& point) {
-    ball.radius = std::max(ball.radius, distance(point, ball.center));
-  });
-  return ball;
+/// What is asked of a search from `source`: the partners without a length that may be within
+/// `radius`. An edge to a partner is the shortest path to it, and no path is shorter than the
+/// straight line.
+void set_goals(const EdgeGraph& graph, const std::vector<Vec3>& points, const VertexPairs& pairs,
+               std::uint32_t source, double radius, std::vector<float>& lengths,
+               std::vector<Goal>& goals) {
+  goals.clear();
+  for (std::uint32_t i = pairs.first[source]; i < pairs.first[source + 1]; ++i) {
+    if (lengths[i] != unknown) continue;
+    const std::uint32_t partner = pairs.partner[i];
+    const std::uint32_t edge = edge_between(graph, source, partner);
+    if (edge != no_edge)
+      lengths[i] = graph.lengths[edge];
+    else if (distance(points[source], points[partner]) <= radius)
+      goals.push_back({partner});
+  }
 }
 
-/// Fills in the distances up to `radius` between the partners that are still unknown. No path is
-/// shorter than the straight line: pairs farther apart than `radius` are not searched for, an edge
-/// between two partners is their shortest path, and a path is given up where what is left of
-/// `radius` does not suffice to reach the ball around the partners.
+/// Fills in the distances up to `radius` between the partners that are still unknown; `bucket` is
+/// that of BoundedSearch.
 void search_pairs(const EdgeGraph& graph, const std::vector<Vec3>& points, const VertexPairs& pairs,
-                  double radius, std::vector<float>& lengths) {
-  PerThread<BoundedSearch> searches;
+                  double radius, double bucket, std::vector<float>& lengths) {
+  struct Worker {
+    BoundedSearch search;
+    std::vector<Goal> goals{};
+  };
+  PerThread<Worker> workers;
   const tbb::blocked_range<std::uint32_t> sources(0, pairs.source_count(), 64);
   tbb::parallel_for(sources, [&](const auto& range) {
-    BoundedSearch& search = searches.local([] { return BoundedSearch(); });
+    auto& [search, goals] =
+        workers.local([&] { return Worker{BoundedSearch(graph, points, radius, bucket)}; });
     for (std::uint32_t source = range.begin(); source < range.end(); ++source) {
-      const auto begin = pairs.partner.begin() + pairs.first[source];
-      const auto end = pairs.partner.begin() + pairs.first[source + 1];
-      const auto length_to = [&](std::uint32_t vertex) -> float* {
-        const auto at = std::lower_bound(begin, end, vertex);
-        if (at == end || *at != vertex) return nullptr;
-        return &lengths[static_cast<std::size_t>(at - pairs.partner.begin())];
-      };
-      graph.for_each_out_edge(source, [&](std::uint32_t next, std::uint32_t edge) {
-        float* const length = length_to(next);
-        if (length != nullptr && *length == unknown) *length = graph.lengths[edge];
-      });
-      const Ball open = ball_around([&](const auto& visit) {
-        for (std::uint32_t i = pairs.first[source]; i < pairs.first[source + 1]; ++i) {
-          const Vec3& point = points[pairs.partner[i]];
-          if (lengths[i] == unknown && distance(points[source], point) <= radius) visit(point);
-        }
-      });
-      if (open.count == 0) continue;
-      std::size_t left = open.count;
-      const auto settle = [&](std::uint32_t vertex, float path) {
-        float* const length = length_to(vertex);
-        if (length == nullptr || *length != unknown) return true;
-        *length = path;
-        return --left > 0;
-      };
-      const double in_all = (radius + open.radius) * (1.0 + rounding);
-      const double surely = (in_all - distance(points[source], open.center)) / 2;
-      search.run(graph, source, radius, settle, [&](std::uint32_t vertex, float path) {
-        return path <= surely || path + distance(points[vertex], open.center) <= in_all;
-      });
+      set_goals(graph, points, pairs, source, radius, lengths, goals);
+      if (goals.empty()) continue;
+      search.run(source, goals);
+      for (const Goal& goal : goals)
+        if (goal.length != infinite) lengths[pairs.find(source, goal.vertex)] = goal.length;
     }
   });
 }
@@ -156,7 +129,9 @@ void for_each_pair(const VertexPairs& pairs, std::vector<float>& lengths, const 
 /// Lengths between clusters for the open pairs; none comes out below `least`, which the level
 /// before has searched in vain, nor below the straight line.
 void search_level(const Surface& surface, const ClusterLevel& level, const VertexPairs& pairs,
-                  double least, double radius, std::vector<float>& lengths) {
+                  double least, double block, std::vector<float>& lengths) {
+  const double radius = level_radius * block;
+  const double bucket = block / 2;
   const auto& cluster = level.cluster_of_vertex;
   PairCollector collector(static_cast<std::uint32_t>(level.centers.size()));
   const auto at_least = [&](std::uint32_t a, std::uint32_t b) {
@@ -179,7 +154,7 @@ void search_level(const Surface& surface, const ClusterLevel& level, const Verte
       [&](std::uint32_t a, std::uint32_t b, float&) { collector.add(cluster[a], cluster[b]); });
   const VertexPairs between = collector.take();
   std::vector<float> distances(between.partner.size(), unknown);
-  search_pairs(level.neighbors, level.centers, between, radius, distances);
+  search_pairs(level.neighbors, level.centers, between, radius, bucket, distances);
   settle_or([&](std::uint32_t a, std::uint32_t b, float& length) {
     const float found = distances[between.find(cluster[a], cluster[b])];
     if (found != unknown) length = std::max(found, at_least(a, b));
@@ -194,20 +169,24 @@ std::vector<float> pair_lengths(const Surface& surface, const VertexPairs& pairs
                                 GeodesicMode mode) {
   std::vector<float> lengths(pairs.partner.size(), unknown);
   ClusterLevel level = finest_level(surface);
+  const double voxel = block_side(surface.spacing);
   if (mode == GeodesicMode::exact) {
-    search_pairs(surface.graph, level.centers, pairs, infinite, lengths);
+    // Tall voxels have edges far longer than wide ones.
+    const auto& edges = surface.graph.lengths;
+    const float longest = edges.empty() ? 0.0F : *std::max_element(edges.begin(), edges.end());
+    const double bucket = std::max(voxel / 2, longest / 32.0);
+    search_pairs(surface.graph, level.centers, pairs, infinite, bucket, lengths);
     return lengths;
   }
-  const double voxel = block_side(surface.spacing);
   double searched = exact_radius * voxel;
-  search_pairs(surface.graph, level.centers, pairs, searched, lengths);
+  search_pairs(surface.graph, level.centers, pairs, searched, voxel / 2, lengths);
   int levels = 0;
   for (double block = 2 * voxel;
        std::find(lengths.begin(), lengths.end(), unknown) != lengths.end(); block *= 2) {
     if (++levels > most_levels)
       throw SelfCheckFailed("sizes are still unknown where clusters are as large as the volume");
     level = coarser_level(level);
-    search_level(surface, level, pairs, searched, level_radius * block, lengths);
+    search_level(surface, level, pairs, searched, block, lengths);
     searched = level_radius * block;
   }
   return lengths;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/sizes/bounded_search.h"
+#include "core/sizes/surface_hierarchy.h"
 #include "tests/oracles/exact_basis.h"
 #include "tests/samples/classified.h"
 #include "tests/samples/core_fixture.h"
@@ -89,13 +90,15 @@ TEST(LoopSearch, TellsHowFarItCame) {
   search.look_for(any_handle());
   constexpr double longest = 12.0;
   search.shortest(0, {longest});
-  BoundedSearch plain;
-  std::size_t reached = 0;
-  plain.run(surface.graph, 0, longest / 2, [&](std::uint32_t vertex, float distance) {
-    EXPECT_NEAR(search.distance_to(vertex), distance, 1e-4);
+  std::vector<Goal> goals;
+  for (std::uint32_t v = 1; v < surface.points.size(); ++v) goals.push_back({v});
+  BoundedSearch(surface.graph, finest_level(surface).centers, longest / 2, 0.5).run(0, goals);
+  std::size_t reached = 1;
+  for (const Goal& goal : goals) {
+    if (goal.length == std::numeric_limits<float>::infinity()) continue;
+    EXPECT_NEAR(search.distance_to(goal.vertex), goal.length, 1e-4);
     ++reached;
-    return true;
-  });
+  }
   std::size_t finite = 0;
   for (std::uint32_t v = 0; v < surface.points.size(); ++v)
     finite += search.distance_to(v) < any_length ? 1 : 0;

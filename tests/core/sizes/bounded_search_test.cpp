@@ -1,16 +1,20 @@
 #include "core/sizes/bounded_search.h"
 
-#include <algorithm>
-#include <map>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <gtest/gtest.h>
 
+#include "core/sizes/surface_hierarchy.h"
 #include "tests/samples/core_fixture.h"
 
 namespace isoloop {
 namespace {
+
+constexpr float infinite = std::numeric_limits<float>::infinity();
 
 std::vector<float> boost_distances(const EdgeGraph& graph, std::uint32_t source) {
   std::vector<float> distances(graph.vertex_count());
@@ -18,60 +22,57 @@ std::vector<float> boost_distances(const EdgeGraph& graph, std::uint32_t source)
   boost::dijkstra_shortest_paths(
       graph.csr, source,
       boost::weight_map(boost::make_iterator_property_map(graph.lengths.begin(), edge_number))
+          .distance_inf(infinite)
           .distance_map(boost::make_iterator_property_map(distances.begin(),
                                                           get(boost::vertex_index, graph.csr))));
   return distances;
 }
 
-TEST(BoundedSearch, SettlesExactlyWhatBoostFindsWithinTheRadius) {
+/// Every `step`-th vertex but `source`.
+std::vector<Goal> some_goals(std::uint32_t count, std::uint32_t step, std::uint32_t source) {
+  std::vector<Goal> goals;
+  for (std::uint32_t v = source % step; v < count; v += step)
+    if (v != source) goals.push_back({v});
+  return goals;
+}
+
+TEST(BoundedSearch, FindsToTheBitWhatBoostFindsWithinTheRadius) {
   const testing::Prepared prepared(testing::smooth_noise({14, 14, 14}, 7, 2),
                                    GeodesicMode::hierarchy);
   const EdgeGraph& graph = prepared.surface.graph;
-  BoundedSearch search;
-  for (std::uint32_t source = 0; source < graph.vertex_count(); source += 97) {
-    const std::vector<float> expected = boost_distances(graph, source);
-    const double radius = 0.5 * (source % 17);
-    std::map<std::uint32_t, float> settled;
-    float last = 0.0F;
-    search.run(graph, source, radius, [&](std::uint32_t vertex, float distance) {
-      EXPECT_TRUE(settled.emplace(vertex, distance).second) << "settled twice";
-      EXPECT_GE(distance, last);
-      last = distance;
-      return true;
-    });
-    for (std::uint32_t v = 0; v < graph.vertex_count(); ++v) {
-      if (expected[v] < radius - 1e-4) {
-        EXPECT_NEAR(settled.at(v), expected[v], 1e-4);
-      } else if (expected[v] > radius + 1e-4) {
-        EXPECT_EQ(settled.count(v), 0U);
+  const std::vector<Vec3> points = finest_level(prepared.surface).centers;
+  std::size_t found = 0;
+  for (const double bucket : {0.02, 0.5, 30.0})
+    for (std::uint32_t turn = 0; turn < 20; ++turn) {
+      const double radius = turn == 19 ? infinite : 0.5 * turn + 0.25;
+      BoundedSearch search(graph, points, radius, bucket);
+      for (std::uint32_t source = turn; source < graph.vertex_count(); source += 497) {
+        const std::vector<float> expected = boost_distances(graph, source);
+        // Some are few enough to be told apart.
+        std::vector<Goal> goals = some_goals(graph.vertex_count(), turn % 2 ? 11 : 997, source);
+        search.run(source, goals);
+        for (const Goal& goal : goals) {
+          const bool is_near = expected[goal.vertex] <= static_cast<float>(radius);
+          EXPECT_EQ(goal.length, is_near ? expected[goal.vertex] : infinite);
+          found += is_near ? 1 : 0;
+        }
       }
     }
-  }
+  EXPECT_GT(found, 1000U);
 }
 
-TEST(BoundedSearch, StopsWhenToldTo) {
-  const testing::Prepared prepared(testing::torus({16, 16, 16}), GeodesicMode::hierarchy);
-  BoundedSearch search;
-  int settled = 0;
-  search.run(prepared.surface.graph, 0, 1e9, [&](std::uint32_t, float) { return ++settled < 5; });
-  EXPECT_EQ(settled, 5);
-}
-
-TEST(BoundedSearch, GoesOnOnlyFromVerticesThatLeadOn) {
+TEST(BoundedSearch, ForgetsTheSearchBefore) {
   const testing::Prepared prepared(testing::torus({16, 16, 16}), GeodesicMode::hierarchy);
   const EdgeGraph& graph = prepared.surface.graph;
-  BoundedSearch search;
-  std::vector<std::uint32_t> settled;
-  const auto settle = [&](std::uint32_t vertex, float) {
-    settled.push_back(vertex);
-    return true;
-  };
-  search.run(graph, 7, 1e9, settle, [](std::uint32_t vertex, float) { return vertex == 7; });
-  std::vector<std::uint32_t> expected{7};
-  graph.for_each_out_edge(7, [&](std::uint32_t next, std::uint32_t) { expected.push_back(next); });
-  std::sort(settled.begin(), settled.end());
-  std::sort(expected.begin(), expected.end());
-  EXPECT_EQ(settled, expected);
+  const std::vector<Vec3> points = finest_level(prepared.surface).centers;
+  BoundedSearch search(graph, points, 5.0, 0.5);
+  for (std::uint32_t source = 0; source < graph.vertex_count(); source += 31) {
+    std::vector<Goal> goals = some_goals(graph.vertex_count(), 13, source);
+    std::vector<Goal> alone = goals;
+    search.run(source, goals);
+    BoundedSearch(graph, points, 5.0, 0.5).run(source, alone);
+    for (std::size_t i = 0; i < goals.size(); ++i) EXPECT_EQ(goals[i].length, alone[i].length);
+  }
 }
 
 }  // namespace
