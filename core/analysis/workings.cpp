@@ -206,7 +206,8 @@ ProvedLoops proved_loops(const Workings& workings, const AnalysisOptions& option
     const SideLoops tunnels{loops_of_kind(proved.loops, LoopKind::tunnel),
                             workings.outside.border_classes};
     ShortenedBasis short_handles = shorten_basis(surface, classes, handles, tunnels);
-    ShortenedBasis short_tunnels = shorten_basis(surface, classes, tunnels, handles);
+    ShortenedBasis short_tunnels =
+        shorten_basis(surface, classes, tunnels, {short_handles.loops, handles.border_classes});
     proved.least_handle_length = short_handles.least_length;
     proved.least_tunnel_length = short_tunnels.least_length;
     proved.loops = certified(

@@ -302,10 +302,12 @@ ShortenedBasis shorten_basis(const Surface& surface, const SurfaceClasses& class
   shortening.run();
   const std::vector<std::uint32_t> loop_of = match_loops(shortening.members(), side.border_classes);
   for (std::size_t m = 0; m < loop_of.size(); ++m) {
+    const BasisMember& member = shortening.members()[m];
     const Loop& found = side.loops[loop_of[m]];
     Loop& loop = shortened.loops[loop_of[m]];
-    loop = measured_loop(surface, found.kind, found.id, found.size, shortening.members()[m].curves);
+    loop = measured_loop(surface, found.kind, found.id, found.size, member.curves);
     loop.found_length = found.found_length;
+    loop.generators = member.other;
   }
   shortened.least_length = shortening.lower_bound();
   return shortened;

@@ -36,9 +36,9 @@ struct ShortenedBasis {
 /// exchanged, through their own vertices. The shortest are taken while they are independent, until
 /// nothing gets shorter or the effort is spent. Each loop keeps its id and size: the cycle that
 /// takes its place closes the same handle (or tunnel) and maybe others, that is, its class has
-/// coordinate id - 1 in border_classes. Not certified anew (Erickson and Whittlesey, SODA 2005,
-/// made to fit a subspace: docs/shortest_loops.md has the proofs and says when the outcome is a
-/// minimum).
+/// coordinate id - 1 in border_classes. Their classes are filled in, but not proved anew (Erickson
+/// and Whittlesey, SODA 2005, made to fit a subspace: docs/shortest_loops.md has the proofs and
+/// says when the outcome is a minimum).
 ShortenedBasis shorten_basis(const Surface& surface, const SurfaceClasses& classes,
                              const SideLoops& side, const SideLoops& across,
                              const BasisEffort& effort = {});

@@ -35,7 +35,8 @@ struct WithLoops {
     const SideLoops in{loops_of_kind(all, LoopKind::handle), inside_classes};
     const SideLoops out{loops_of_kind(all, LoopKind::tunnel), outside_classes};
     const ShortenedBasis short_handles = shorten_basis(prepared.surface, classes, in, out, effort);
-    const ShortenedBasis short_tunnels = shorten_basis(prepared.surface, classes, out, in, effort);
+    const ShortenedBasis short_tunnels = shorten_basis(
+        prepared.surface, classes, out, {short_handles.loops, inside_classes}, effort);
     handles = short_handles.loops;
     tunnels = short_tunnels.loops;
     handle_bound = short_handles.least_length;
