@@ -18,7 +18,7 @@ constexpr int most_rounds = 8;
 constexpr std::uint64_t least_settled = 1000;  // paths, by a first search from one of each
 constexpr std::uint64_t farther = 4;           // times as many, by the next one
 constexpr double share_of_a_round = 0.2;       // of the effort, for those that go farther
-constexpr std::size_t least_farther = 8;       // of these, whatever the effort
+constexpr double least_farther = 8.0;           // of these, while the effort lasts
 
 /// A loop of the other kind, as what this side's loops have to cross.
 struct Crossed {
@@ -162,10 +162,12 @@ class Shortening {
       if (open.empty()) break;
       std::stable_sort(open.begin(), open.end(),
                        [&](std::uint32_t a, std::uint32_t b) { return longest[a] > longest[b]; });
-      const auto affordable =
-          std::max(least_farther, static_cast<std::size_t>(share / static_cast<double>(settled)));
-      if (settled > least_settled) open.resize(std::min(open.size(), affordable));
-      if (open.empty()) break;
+      if (settled > least_settled) {
+        const double each = static_cast<double>(settled);
+        const double affordable = std::max(share / each, std::min(least_farther, left_ / each));
+        open.resize(std::min(open.size(), static_cast<std::size_t>(affordable)));
+      }
+      if (open.empty()) break;  // or none is affordable, which ends the rounds
       search_from_first(open, longest, settled, is_open, done);
     }
     return done;
