@@ -59,6 +59,7 @@ isoloop_add_tests(isoloop_core_tests
     core/sizes/vertex_pairs_test.cpp
     core/repair/voxel_values_test.cpp
     core/z2/z2_basis_test.cpp
+    core/z2/z2_vector_test.cpp
     core/engines/zero_labels_test.cpp
     oracles/cube_geometry.cpp
     oracles/exact_basis.cpp
