@@ -11,7 +11,9 @@ isoloop_add_tests(isoloop_core_tests
     core/sizes/closest_test.cpp
     core/cube/connectivity_test.cpp
     core/cube/cube_interior_test.cpp
+    core/scan/blocks_test.cpp
     core/scan/cube_sweep_test.cpp
+    core/scan/parting_test.cpp
     core/cube/cube_test.cpp
     core/cube/ties_test.cpp
     core/base/disjoint_sets_test.cpp
@@ -41,6 +43,8 @@ isoloop_add_tests(isoloop_core_tests
     core/base/per_thread_test.cpp
     core/base/potentials_test.cpp
     core/scan/plateau_test.cpp
+    core/scan/proposal_test.cpp
+    core/scan/sized_sets_test.cpp
     core/repair/repair_test.cpp
     core/base/compressed_rows_test.cpp
     core/base/run_both_test.cpp

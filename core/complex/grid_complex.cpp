@@ -1,6 +1,8 @@
 #include "core/complex/grid_complex.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstring>
 #include <tuple>
 
 #include <tbb/parallel_for.h>
@@ -28,6 +30,26 @@ std::array<std::uint32_t, 4> cubes_round(const Lattice& lattice, std::uint32_t e
   const std::uint32_t db = lattice.stride[b];
   const std::uint32_t dc = lattice.stride[c];
   return {v, v - db, v - db - dc, v - dc};
+}
+
+/// Bit i: whether `bit` of number first + i is set; of 64 numbers, as far as there are some.
+std::uint64_t flags_from(const std::vector<std::uint8_t>& numbers, std::size_t first,
+                         unsigned bit) {
+  constexpr std::uint64_t each = 0x0101010101010101;
+  constexpr std::uint64_t gather =
+      0x0102040810204080;  // the lowest bit of each byte in the highest
+  std::uint64_t flags = 0;
+  if (first + 64 <= numbers.size() && std::endian::native == std::endian::little) {
+    for (unsigned i = 0; i < 64; i += 8) {
+      std::uint64_t eight = 0;
+      std::memcpy(&eight, numbers.data() + first + i, sizeof eight);
+      flags |= ((eight >> bit & each) * gather >> 56) << i;
+    }
+  } else {
+    for (std::size_t i = first; i < std::min(first + 64, numbers.size()); ++i)
+      flags |= std::uint64_t{numbers[i] >> bit & 1U} << (i - first);
+  }
+  return flags;
 }
 
 /// Collects, in ascending order, what visit(vertex, position, sink) emits for every vertex.
@@ -94,6 +116,67 @@ void GridComplex::build_walls() {
   });
   has_wall_edge_.resize(sides_.lattice.vertex_count());
   for (const WallEdge& on_wall : wall_edges_) has_wall_edge_[on_wall.edge / 3] = true;
+}
+
+/// Those that have a neighbour after them along each axis.
+GridComplex::Bits GridComplex::have_next(const RowPart& part) const {
+  const auto& [nx, ny, nz] = lattice().dims;
+  const auto first = [](std::uint32_t count) {
+    return count < 64 ? (std::uint64_t{1} << count) - 1 : ~std::uint64_t{0};
+  };
+  const auto& [x, y, z] = part.position;
+  const std::uint64_t in_row = first(nx - x);
+  return {first(nx - 1 - x), y + 1 < ny ? in_row : 0, z + 1 < nz ? in_row : 0};
+}
+
+std::uint64_t GridComplex::on_side_from(std::uint32_t vertex) const {
+  const std::uint64_t inside = flags_from(sides_.inside, vertex, 0);
+  return side_ == Side::inside ? inside : ~inside;
+}
+
+GridComplex::FaceBits GridComplex::faces_in(const RowPart& part) const {
+  const Bits next = have_next(part);
+  const std::uint64_t here = on_side_from(part.vertex);
+  Bits along{};  // the neighbours along each axis
+  for (std::size_t a = 0; a < 3; ++a)
+    if (next[a] != 0) along[a] = on_side_from(part.vertex + lattice().stride[a]);
+  FaceBits faces;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const std::size_t b = (a + 1) % 3;
+    const std::size_t c = (a + 2) % 3;
+    const std::uint64_t there = next[b] & next[c];
+    if (there == 0) continue;
+    const std::uint64_t across =
+        on_side_from(part.vertex + lattice().stride[b] + lattice().stride[c]);
+    faces.any[a] = there & (here | along[b] | along[c] | across);
+    faces.whole[a] = there & here & along[b] & along[c] & across;
+  }
+  return faces;
+}
+
+GridComplex::Bits GridComplex::edges_in(const RowPart& part) const {
+  Bits edges = have_next(part);
+  const std::uint64_t here = on_side_from(part.vertex);
+  for (std::size_t a = 0; a < 3; ++a)
+    if (edges[a] != 0) edges[a] &= here | on_side_from(part.vertex + lattice().stride[a]);
+  return edges;
+}
+
+GridComplex::Bits GridComplex::plain_rings_in(const RowPart& part) const {
+  const auto ambiguous_from = [&](std::uint32_t vertex) {
+    return flags_from(sides_.cubes, vertex,
+                      std::countr_zero(unsigned{VoxelSides::has_ambiguous_face}));
+  };
+  const std::uint64_t here = ambiguous_from(part.vertex);
+  std::uint64_t plain = ~here;
+  if (!has_wall_edge_.empty())
+    for (std::uint32_t i = 0; i < 64 && part.position[0] + i < lattice().dims[0]; ++i)
+      if (has_wall_edge_[part.vertex + i]) plain &= ~(std::uint64_t{1} << i);
+  Bits before{here << 1, 0, 0};  // the neighbours before them along each axis
+  for (std::size_t a = 0; a < 3; ++a)
+    if (part.position[a] > 0) before[a] = ambiguous_from(part.vertex - lattice().stride[a]);
+  return {plain & ~(before[1] | before[2]), plain & ~(before[2] | before[0]),
+          plain & ~(before[0] | before[1])};
 }
 
 std::uint32_t GridComplex::piece_bound() const {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -13,6 +14,21 @@
 #include "core/surface/edge_index.h"
 
 namespace isoloop {
+
+/// Up to 64 lattice vertices in a row: what is told of them has bit i for vertex + i, and no bit
+/// beyond the row.
+struct RowPart {
+  std::uint32_t vertex;
+  std::array<std::uint32_t, 3> position;  // of that vertex
+};
+
+/// Calls visit(part) for the parts of a layer, ascending.
+template <class Visit>
+void for_each_row_part(const Lattice& lattice, std::uint32_t z, const Visit& visit) {
+  for (std::uint32_t y = 0; y < lattice.dims[1]; ++y)
+    for (std::uint32_t x = 0; x < lattice.dims[0]; x += 64)
+      visit(RowPart{lattice.vertex(x, y, z), {x, y, z}});
+}
 
 /// Cells and pieces of one side. Numbers (see Lattice): a face's first piece has the face's number,
 /// its second piece (the part at the later corner, where M separates two) comes after all faces;
@@ -37,13 +53,18 @@ class GridComplex {
   void for_each_piece(std::uint32_t layer, const Visit& visit) const;
   template <class Visit>
   void for_each_edge(std::uint32_t layer, const Visit& visit) const;
-  /// What begins at vertex v, which lies at `position` in the box, a bit for each axis a. Of
-  /// faces_at: the face with normal a has a piece on this side. Of edges_at: the edge along a is
-  /// interior. Of plain_rings_at: if that edge is interior, the pieces round it are the first
-  /// pieces of all faces that the box has round it.
-  unsigned faces_at(std::uint32_t v, const std::array<std::uint32_t, 3>& position) const;
-  unsigned edges_at(std::uint32_t v, const std::array<std::uint32_t, 3>& position) const;
-  unsigned plain_rings_at(std::uint32_t v, const std::array<std::uint32_t, 3>& position) const;
+  /// What begins at the vertices of a part of a row, by axis. Faces: those with a piece on this
+  /// side, and of these the whole ones (see is_whole_face()), by normal. Edges: interior ones, by
+  /// direction. Plain rings: if the edge is interior, the pieces round it are the first pieces of
+  /// all faces that the box has round it.
+  using Bits = std::array<std::uint64_t, 3>;
+  struct FaceBits {
+    Bits any{};
+    Bits whole{};
+  };
+  FaceBits faces_in(const RowPart& part) const;
+  Bits edges_in(const RowPart& part) const;
+  Bits plain_rings_in(const RowPart& part) const;
   /// Whether the piece is a whole face of the grid: M cuts none of its edges, which are
   /// face_edges().
   bool is_whole_face(std::uint32_t piece) const {
@@ -77,9 +98,8 @@ class GridComplex {
   InplaceVector<std::uint32_t, 4> edges_near_surface(std::uint32_t piece) const;
   InplaceVector<std::uint32_t, 8> ring_near_surface(std::uint32_t edge) const;
 
-  bool has_next(const std::array<std::uint32_t, 3>& position, std::uint32_t axis) const {
-    return position[axis] + 1 < sides_.lattice.dims[axis];
-  }
+  Bits have_next(const RowPart& part) const;
+  std::uint64_t on_side_from(std::uint32_t vertex) const;
   bool on_border(std::uint32_t vertex) const {
     return (sides_.cubes[vertex] & VoxelSides::on_border) != 0;
   }
@@ -144,67 +164,33 @@ inline unsigned GridComplex::corners_on_side(std::uint32_t face) const {
   return side_ == Side::inside ? bits : ~bits & 15U;
 }
 
-inline unsigned GridComplex::faces_at(std::uint32_t v,
-                                      const std::array<std::uint32_t, 3>& position) const {
-  unsigned faces = 0;
-  for (std::uint32_t a = 0; a < 3; ++a)
-    if (has_next(position, (a + 1) % 3) && has_next(position, (a + 2) % 3) &&
-        corners_on_side(3 * v + a) != 0)
-      faces |= 1U << a;
-  return faces;
-}
-
-inline unsigned GridComplex::edges_at(std::uint32_t v,
-                                      const std::array<std::uint32_t, 3>& position) const {
-  unsigned edges = 0;
-  for (std::uint32_t a = 0; a < 3; ++a)
-    if (has_next(position, a) &&
-        (sides_.is_on(side_, v) || sides_.is_on(side_, v + sides_.lattice.stride[a])))
-      edges |= 1U << a;
-  return edges;
-}
-
-inline unsigned GridComplex::plain_rings_at(std::uint32_t v,
-                                            const std::array<std::uint32_t, 3>& position) const {
-  if (has_wall_edge(v) || (sides_.cubes[v] & VoxelSides::has_ambiguous_face) != 0) return 0;
-  unsigned beside = 0;  // bit a: the neighbour before v along a has an ambiguous face
-  for (std::uint32_t a = 0; a < 3; ++a)
-    if (position[a] > 0 &&
-        (sides_.cubes[v - sides_.lattice.stride[a]] & VoxelSides::has_ambiguous_face) != 0)
-      beside |= 1U << a;
-  unsigned plain = 0;
-  for (unsigned a = 0; a < 3; ++a)
-    if ((beside & ~(1U << a)) == 0) plain |= 1U << a;
-  return plain;
+/// Calls visit(3 (vertex + i) + a) for each bit i of `bits`[a], ascending.
+template <class Visit>
+void for_each_number(std::uint32_t vertex, const GridComplex::Bits& bits, const Visit& visit) {
+  for (std::uint64_t left = bits[0] | bits[1] | bits[2]; left != 0; left &= left - 1) {
+    const auto i = static_cast<std::uint32_t>(std::countr_zero(left));
+    for (std::uint32_t a = 0; a < 3; ++a)
+      if ((bits[a] >> i & 1U) != 0) visit(3 * (vertex + i) + a);
+  }
 }
 
 template <class Visit>
 void GridComplex::for_each_piece(std::uint32_t layer, const Visit& visit) const {
-  const auto& [nx, ny, nz] = sides_.lattice.dims;
-  if (layer == nz) {
+  if (layer == sides_.lattice.dims[2]) {
     for (std::uint32_t piece = edge_bound(); piece < piece_bound(); ++piece) visit(piece);
     return;
   }
-  std::uint32_t v = sides_.lattice.vertex(0, 0, layer);
-  for (std::uint32_t y = 0; y < ny; ++y)
-    for (std::uint32_t x = 0; x < nx; ++x, ++v) {
-      const unsigned faces = faces_at(v, {x, y, layer});
-      for (std::uint32_t a = 0; a < 3; ++a)
-        if ((faces >> a & 1U) != 0) visit(3 * v + a);
-    }
+  for_each_row_part(lattice(), layer, [&](const RowPart& part) {
+    for_each_number(part.vertex, faces_in(part).any, visit);
+  });
 }
 
 template <class Visit>
 void GridComplex::for_each_edge(std::uint32_t layer, const Visit& visit) const {
-  const auto& [nx, ny, nz] = sides_.lattice.dims;
-  if (layer == nz) return;
-  std::uint32_t v = sides_.lattice.vertex(0, 0, layer);
-  for (std::uint32_t y = 0; y < ny; ++y)
-    for (std::uint32_t x = 0; x < nx; ++x, ++v) {
-      const unsigned edges = edges_at(v, {x, y, layer});
-      for (std::uint32_t a = 0; a < 3; ++a)
-        if ((edges >> a & 1U) != 0) visit(3 * v + a);
-    }
+  if (layer == sides_.lattice.dims[2]) return;
+  for_each_row_part(lattice(), layer, [&](const RowPart& part) {
+    for_each_number(part.vertex, edges_in(part), visit);
+  });
 }
 
 inline std::array<std::uint32_t, 2> GridComplex::cells(std::uint32_t piece) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <functional>
@@ -9,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include <boost/sort/spreadsort/integer_sort.hpp>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -24,8 +24,34 @@ inline std::uint64_t order_key(float size, std::uint32_t piece) {
   return std::uint64_t{std::bit_cast<std::uint32_t>(size)} << 32 | piece;
 }
 
-/// The pieces by size, largest first, and among equal sizes by number, largest first: the
-/// filtration of the paper read backwards.
+/// Sorts keys whose pieces ascend: by the sizes alone, in place of equal ones, eleven bits at a
+/// time.
+inline void sort_keys(std::vector<std::uint64_t>& keys) {
+  constexpr int digits = 3;
+  constexpr int digit_bits = 11;  // 33 of a size's 32 in all
+  constexpr std::size_t values = std::size_t{1} << digit_bits;
+  const auto digit_of = [](std::uint64_t key, int digit) {
+    return key >> (32 + digit * digit_bits) & (values - 1);
+  };
+  std::vector<std::array<std::size_t, values>> counts(digits);
+  for (const std::uint64_t key : keys)
+    for (int d = 0; d < digits; ++d) ++counts[d][digit_of(key, d)];
+  std::vector<std::uint64_t> sorted(keys.size());
+  for (int d = 0; d < digits; ++d) {
+    std::exclusive_scan(counts[d].begin(), counts[d].end(), counts[d].begin(), std::size_t{0});
+    for (const std::uint64_t key : keys) sorted[counts[d][digit_of(key, d)]++] = key;
+    std::swap(keys, sorted);
+  }
+}
+
+/// Calls visit(piece, its size) for the pieces of a layer, ascending.
+template <DualGraph C, PieceSizes S, class Visit>
+void for_each_sized(const C& complex, const S& sizes, std::uint32_t layer, const Visit& visit) {
+  complex.for_each_piece(layer, [&](std::uint32_t piece) { visit(piece, sizes.of_piece(piece)); });
+}
+
+/// The pieces, which ascend, by size, largest first, and among equal sizes by number, largest
+/// first: the filtration of the paper read backwards.
 template <PieceSizes S>
 std::vector<std::uint32_t> from_largest(const S& sizes, std::vector<std::uint32_t> pieces) {
   const std::size_t count = pieces.size();
@@ -34,7 +60,7 @@ std::vector<std::uint32_t> from_largest(const S& sizes, std::vector<std::uint32_
     for (std::size_t i = range.begin(); i < range.end(); ++i)
       keys[i] = order_key(sizes.of_piece(pieces[i]), pieces[i]);
   });
-  boost::sort::spreadsort::integer_sort(keys.begin(), keys.end());
+  sort_keys(keys);
   for (std::size_t i = 0; i < count; ++i)
     pieces[i] = static_cast<std::uint32_t>(keys[count - 1 - i]);
   return pieces;

@@ -9,7 +9,6 @@
 #include <span>
 #include <vector>
 
-#include <boost/sort/spreadsort/integer_sort.hpp>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -51,17 +50,17 @@ class ForestOfLayers {
     std::vector<std::uint32_t> unsized;
     const std::uint32_t end = std::min(end_ + 1, complex_.layer_count() - 1);
     for (std::uint32_t layer = begin_; layer < end; ++layer)
-      complex_.for_each_piece(layer, [&](std::uint32_t piece) {
+      for_each_sized(complex_, sizes_, layer, [&](std::uint32_t piece, float size) {
         if (layer == end_) {
           end_of_own_ = std::min(end_of_own_, piece);
           if (!touches(piece)) return;
         }
-        if (const float size = sizes_.of_piece(piece); size > 0.0F)
+        if (size > 0.0F)
           sized.push_back(order_key(size, piece));
         else
           unsized.push_back(piece);
       });
-    boost::sort::spreadsort::integer_sort(sized.begin(), sized.end());
+    sort_keys(sized);
     std::vector<std::uint32_t> open;
     for (std::size_t i = sized.size(); i-- > 0;)
       take(static_cast<std::uint32_t>(sized[i]), forest, open);
@@ -205,7 +204,7 @@ inline std::uint32_t layers_in_slab(std::uint32_t layers, std::size_t threads) {
 inline std::uint64_t slab_bytes(std::uint64_t cells, std::uint32_t layers, std::size_t threads) {
   const std::uint32_t slab = layers_in_slab(layers, threads);
   const std::uint64_t at_hand = std::min<std::uint64_t>(layers, slab * threads);
-  return cells * 60 / layers * at_hand + cells * 12 / slab;
+  return cells * 84 / layers * at_hand + cells * 12 / slab;
 }
 
 /// The pieces that join two components of cells when all are read in the order of order.h, the

@@ -144,20 +144,31 @@ class PlainRings {
       plain[a] = plain_[a].layer(z);
       std::fill(plain[a], plain[a] + plain_[a].words_in_layer(), 0);
     }
-    std::uint32_t i = 0;
-    for (std::uint32_t y = 0; y < lattice_.dims[1]; ++y)
-      for (std::uint32_t x = 0; x < lattice_.dims[0]; ++x, ++i) {
-        const std::uint32_t v = lattice_.vertex(x, y, z);
-        const unsigned faces = complex_.faces_at(v, {x, y, z});
-        const unsigned edges = complex_.edges_at(v, {x, y, z});
-        const unsigned plain_edges = edges == 0 ? 0 : edges & complex_.plain_rings_at(v, {x, y, z});
-        for (std::uint32_t a = 0; a < 3; ++a) {
-          if ((faces >> a & 1U) != 0 && !forest[3 * v + a])
-            known[a][i / 64] &= ~(Word{1} << (i % 64));
-          plain[a][i / 64] |= Word{plain_edges >> a & 1U} << (i % 64);
-          if (((edges ^ plain_edges) >> a & 1U) != 0) other_edges_[z].push_back(3 * v + a);
-        }
+    for_each_row_part(lattice_, z, [&](const RowPart& part) {
+      const std::uint32_t bit = part.vertex - lattice_.vertex(0, 0, z);
+      GridComplex::Bits unknown{};
+      for_each_number(part.vertex, complex_.faces_in(part).any, [&](std::uint32_t piece) {
+        if (!forest[piece]) unknown[piece % 3] |= std::uint64_t{1} << (piece / 3 - part.vertex);
+      });
+      const GridComplex::Bits edges = complex_.edges_in(part);
+      const GridComplex::Bits rings = complex_.plain_rings_in(part);
+      GridComplex::Bits others{};
+      for (std::size_t a = 0; a < 3; ++a) {
+        flip(known[a], bit, unknown[a]);
+        flip(plain[a], bit, edges[a] & rings[a]);
+        others[a] = edges[a] & ~rings[a];
       }
+      for_each_number(part.vertex, others,
+                      [&](std::uint32_t edge) { other_edges_[z].push_back(edge); });
+    });
+  }
+
+  /// Of 64 bits from `bit` on.
+  static void flip(Word* words, std::uint32_t bit, Word flipped) {
+    words += bit / 64;
+    *words ^= flipped << (bit % 64);
+    if (bit % 64 != 0 && flipped >> (64 - bit % 64) != 0)
+      *(words + 1) ^= flipped >> (64 - bit % 64);
   }
 
   /// The edges from whose rings a piece follows, or more than `thin` of them.

@@ -11,8 +11,7 @@
 #include "core/base/threads.h"
 #include "core/loops/features.h"
 #include "core/repair/repair.h"
-#include "core/scan/plateau.h"
-#include "core/scan/scan.h"
+#include "core/scan/proposal.h"
 #include "isoloop/count.h"
 #include "isoloop/loops.h"
 #include "isoloop/repair.h"
@@ -95,12 +94,7 @@ FoundLoops find_loops(const AnyGridView& grid, const IsoLevel& level, const Loop
 Scan scan(const AnyGridView& grid, std::span<const double> iso_values, const ScanOptions& options) {
   check_grid(grid);
   return on_threads(options.threads, [&] {
-    Scan scan;
-    scan.rows = in_stage("scan", [&] { return scan_topology(grid, iso_values, options); });
-    const auto voxels = std::visit([](const auto& view) { return std::ssize(view.values); }, grid);
-    scan.plateaus = find_plateaus(scan.rows, voxels);
-    scan.proposed = proposed_row(scan.rows, scan.plateaus);
-    return scan;
+    return in_stage("scan", [&] { return scan_and_propose(grid, iso_values, options); });
   });
 }
 

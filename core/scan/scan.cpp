@@ -12,13 +12,13 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
-#include "core/base/disjoint_sets.h"
 #include "core/base/errors.h"
 #include "core/base/memory_budget.h"
 #include "core/base/run_both.h"
 #include "core/grid/lattice.h"
 #include "core/grid/level.h"
 #include "core/scan/cube_sweep.h"
+#include "core/scan/sized_sets.h"
 
 namespace isoloop {
 namespace {
@@ -115,7 +115,7 @@ class Scanner {
       throw InvalidArgument({.text = "the grid's dimensions do not fit its number of voxels"},
                             Option::dims);
     ranked_.lattice = padded_lattice(grid.dims);
-    constexpr std::uint64_t bytes_per_voxel = 16;
+    constexpr std::uint64_t bytes_per_voxel = 24;
     check_memory("scan", bytes_per_voxel * ranked_.lattice.vertex_count(), options.max_bytes);
     ranked_.isos.assign(iso_values.begin(), iso_values.end());
     if (options.inside == InsideRule::below) std::reverse(ranked_.isos.begin(), ranked_.isos.end());
@@ -310,31 +310,40 @@ ByStep sorted_by_step(std::size_t count, std::size_t steps, const StepOf& step_o
   return sorted;
 }
 
-/// Components of one side at each step. Vertices come in as the side grows: the inside from the
-/// last step to the first, the outside the other way.
-std::vector<std::int64_t> component_counts(const RankedGrid& grid, const ByStep& vertices,
-                                           const std::vector<Join>& joins, Side side) {
+/// Components of one side, by step.
+struct SideCounts {
+  std::vector<std::int64_t> all;
+  std::vector<std::vector<std::int64_t>> large;  // by size, then by step
+  std::vector<std::int64_t> largest;             // voxels
+};
+
+/// Vertices come in as the side grows: the inside from the last step to the first, the outside the
+/// other way. What lies round the grid counts as large.
+SideCounts component_counts(const RankedGrid& grid, const ByStep& vertices,
+                            const std::vector<Join>& joins, Side side,
+                            std::span<const std::int64_t> sizes) {
   const std::size_t steps = grid.isos.size();
   const auto& stride = grid.lattice.stride;
   const ByStep extra =
       sorted_by_step(joins.size(), steps, [&](std::size_t i) { return joins[i].step; });
-  DisjointSets sets(grid.lattice.vertex_count());
-  std::vector<std::int64_t> counts(steps);
-  std::int64_t components = 0;
+  SizedSets sets(grid.lattice.vertex_count(), sizes);
+  SideCounts counts{std::vector<std::int64_t>(steps),
+                    std::vector(sizes.size(), std::vector<std::int64_t>(steps)),
+                    std::vector<std::int64_t>(steps)};
   const bool inside = side == Side::inside;
-  const auto unite = [&](std::uint32_t a, std::uint32_t b) { components -= sets.unite(a, b); };
   const auto enter = [&](std::uint32_t v) {
+    constexpr std::uint32_t round_the_grid = 1U << 31U;  // more than the vertices of any lattice
     const Step rank = grid.rank[v];
     const auto p = grid.lattice.position(v);
-    ++components;
+    sets.enter(v, v == 0 ? round_the_grid : 1);
     for (int a = 0; a < 3; ++a) {
       if (p[a] > 0) {
         const Step other = grid.rank[v - stride[a]];
-        if (inside ? other >= rank : other <= rank) unite(v, v - stride[a]);
+        if (inside ? other >= rank : other <= rank) sets.unite(v, v - stride[a]);
       }
       if (p[a] + 1 < grid.lattice.dims[a]) {
         const Step other = grid.rank[v + stride[a]];
-        if (inside ? other > rank : other < rank) unite(v, v + stride[a]);
+        if (inside ? other > rank : other < rank) sets.unite(v, v + stride[a]);
       }
     }
   };
@@ -345,15 +354,18 @@ std::vector<std::int64_t> component_counts(const RankedGrid& grid, const ByStep&
          k < (rank == steps ? vertices.list.size() : vertices.first[rank + 1]); ++k)
       enter(vertices.list[k]);
     for (std::size_t k = extra.first[s]; k < extra.first[s + 1]; ++k)
-      unite(joins[extra.list[k]].a, joins[extra.list[k]].b);
-    counts[s] = components;
+      sets.unite(joins[extra.list[k]].a, joins[extra.list[k]].b);
+    counts.all[s] = sets.all();
+    counts.largest[s] = sets.largest();
+    for (std::size_t size = 0; size < sizes.size(); ++size)
+      counts.large[size][s] = sets.of_size()[size];
   }
   return counts;
 }
 
 template <class T>
-std::vector<ScanRow> scan_grid(const GridView<T>& grid, std::span<const double> iso_values,
-                               const ScanOptions& options) {
+SizedScan scan_grid(const GridView<T>& grid, std::span<const double> iso_values,
+                    std::span<const std::int64_t> sizes, const ScanOptions& options) {
   check_iso_values(iso_values);
   const auto tell = [&](const char* stage, double share) {
     if (options.progress) options.progress(stage, share);
@@ -367,35 +379,48 @@ std::vector<ScanRow> scan_grid(const GridView<T>& grid, std::span<const double> 
   tell("components", 0.5);
   const ByStep vertices =
       sorted_by_step(ranked.rank.size(), steps, [&](std::size_t v) { return ranked.rank[v]; });
-  std::vector<std::int64_t> inside;
-  std::vector<std::int64_t> outside;
+  SideCounts inside;
+  SideCounts outside;
   run_both(
-      [&] { inside = component_counts(ranked, vertices, sweep.joins.inside, Side::inside); },
-      [&] { outside = component_counts(ranked, vertices, sweep.joins.outside, Side::outside); });
-  std::vector<ScanRow> rows(steps);
+      [&] { inside = component_counts(ranked, vertices, sweep.joins.inside, Side::inside, sizes); },
+      [&] {
+        outside = component_counts(ranked, vertices, sweep.joins.outside, Side::outside, sizes);
+      });
+  SizedScan found{std::vector<ScanRow>(steps), std::vector(sizes.size(), std::vector<Betti>(steps)),
+                  std::vector<std::int64_t>(steps)};
   std::int64_t discs = 0;
   std::int64_t cut_edges = 0;
   for (std::size_t s = 0; s < steps; ++s) {
     discs += sweep.sums.discs[s];
     cut_edges += sweep.sums.cut_edges[s];
-    ScanRow& row = rows[options.inside == InsideRule::above ? s : steps - 1 - s];
+    const std::size_t r = options.inside == InsideRule::above ? s : steps - 1 - s;
+    ScanRow& row = found.rows[r];
     row.iso = ranked.isos[s];
     row.euler = discs - cut_edges;
-    row.betti = {inside[s], 0, outside[s] - 1};
+    row.betti = {inside.all[s], 0, outside.all[s] - 1};
     row.betti.b1 = row.betti.b0 + row.betti.b2 - row.euler / 2;
     row.genus = row.betti.b1;
     row.inside_voxels = static_cast<std::int64_t>(ranked.rank.size() - vertices.first[s + 1]);
+    found.largest[r] = inside.largest[s];
+    for (std::size_t i = 0; i < sizes.size(); ++i)
+      found.large[i][r] = {inside.large[i][s], 0, outside.large[i][s] - 1};
     if (row.euler % 2 != 0 || row.betti.b1 < 0)
       throw SelfCheckFailed("the components and the Euler characteristic contradict each other");
   }
-  return rows;
+  return found;
 }
 
 }  // namespace
 
+SizedScan scan_sizes(const AnyGridView& grid, std::span<const double> iso_values,
+                     std::span<const std::int64_t> sizes, const ScanOptions& options) {
+  return std::visit([&](const auto& view) { return scan_grid(view, iso_values, sizes, options); },
+                    grid);
+}
+
 std::vector<ScanRow> scan_topology(const AnyGridView& grid, std::span<const double> iso_values,
                                    const ScanOptions& options) {
-  return std::visit([&](const auto& view) { return scan_grid(view, iso_values, options); }, grid);
+  return scan_sizes(grid, iso_values, {}, options).rows;
 }
 
 }  // namespace isoloop

@@ -1,8 +1,10 @@
 #include "core/sizes/geodesic_size.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -21,58 +23,97 @@ constexpr float infinite = std::numeric_limits<float>::infinity();
 constexpr double exact_radius = 5.0;  // voxels
 constexpr double level_radius = 8.0;  // blocks of the level
 
-/// Calls visit(edge, is_outside_half, a, b) for K's edges that are grid edges at lattice vertices
-/// 64 block .. 64 block + 63, or halves of them: a and b are the surface vertices closest to its
-/// ends.
-template <class Visit>
-void visit_end_pairs(const VoxelSides& sides, const EdgeIndex& edges,
-                     std::span<const std::uint32_t> closest, std::uint32_t block,
-                     const Visit& visit) {
-  const Lattice& lattice = sides.lattice;
-  const std::uint32_t end = std::min(64 * block + 64, lattice.vertex_count());
-  auto position = lattice.position(64 * block);
-  for (std::uint32_t v = 64 * block; v < end; ++v) {
-    for (std::uint32_t a = 0; a < 3; ++a) {
-      if (position[a] + 1 == lattice.dims[a]) continue;
-      const std::uint32_t w = v + lattice.stride[a];
-      const std::uint32_t edge = 3 * v + a;
-      if (sides.inside[v] == sides.inside[w]) {
-        visit(edge, false, closest[v], closest[w]);
-      } else {
-        const std::uint32_t crossing = edges.vertex_on(edge);
-        visit(edge, sides.is_on(Side::outside, v), closest[v], crossing);
-        visit(edge, sides.is_on(Side::outside, w), closest[w], crossing);
-      }
-    }
-    for (int a = 0; a < 3 && ++position[a] == lattice.dims[a]; ++a) position[a] = 0;
-  }
-}
+/// Which vertices of M are closest to the ends of K's edges that are grid edges or halves of them.
+struct Ends {
+  const VoxelSides& sides;
+  const EdgeIndex& edges;
+  std::span<const std::uint32_t> closest;  // by lattice vertex
 
-/// The same for all blocks, many at a time.
-template <class Visit>
-void for_each_end_pair(const VoxelSides& sides, const EdgeIndex& edges,
-                       std::span<const std::uint32_t> closest, const Visit& visit) {
-  tbb::parallel_for(std::uint32_t{0}, edges.block_count(), [&](std::uint32_t block) {
-    visit_end_pairs(sides, edges, closest, block, visit);
+  std::uint32_t upper_end(std::uint32_t edge) const {
+    return edge / 3 + sides.lattice.stride[edge % 3];
+  }
+  bool is_cut(std::uint32_t edge) const {
+    return sides.inside[edge / 3] != sides.inside[upper_end(edge)];
+  }
+
+  /// Of a cut edge: of its inside half.
+  std::array<std::uint32_t, 2> of(std::uint32_t edge) const {
+    const std::uint32_t v = edge / 3;
+    const std::uint32_t w = upper_end(edge);
+    if (!is_cut(edge)) return {closest[v], closest[w]};
+    return {closest[sides.is_on(Side::inside, v) ? v : w], edges.vertex_on(edge)};
+  }
+
+  std::array<std::uint32_t, 2> of_outside_half(std::uint32_t edge) const {
+    const std::uint32_t v = edge / 3;
+    return {closest[sides.is_on(Side::outside, v) ? v : upper_end(edge)], edges.vertex_on(edge)};
+  }
+
+  /// Whether an edge of lesser number, of the same direction and next to a full edge with these
+  /// ends, has the same ones: most do, for what is closest to one vertex of M is long and thin.
+  bool are_those_of_a_lesser(std::uint32_t edge, const std::array<std::uint32_t, 2>& ends) const {
+    for (const std::uint32_t step : sides.lattice.stride) {
+      if (edge / 3 < step) return false;
+      const std::uint32_t beside = edge - 3 * step;
+      if (closest[beside / 3] == ends[0] && closest[upper_end(beside)] == ends[1] &&
+          !is_cut(beside))
+        return true;
+    }
+    return false;
+  }
+};
+
+/// The edges whose size is not 0, but for outside halves.
+EdgeSet edges_of_size(const Ends& ends) {
+  const Lattice& lattice = ends.sides.lattice;
+  return EdgeSet(lattice.vertex_count(), [&](std::uint32_t block) {
+    EdgeSet::BlockBits not_zero{};
+    const std::uint32_t end = std::min(64 * block + 64, lattice.vertex_count());
+    auto position = lattice.position(64 * block);
+    for (std::uint32_t v = 64 * block; v < end; ++v) {
+      for (std::uint32_t a = 0; a < 3; ++a) {
+        if (position[a] + 1 == lattice.dims[a]) continue;
+        const std::uint32_t w = v + lattice.stride[a];
+        const bool is_full = ends.sides.inside[v] == ends.sides.inside[w];
+        const bool differ = ends.closest[v] != ends.closest[w];
+        not_zero[a] |= std::uint64_t{is_full && differ} << (v % 64);
+      }
+      for (int a = 0; a < 3 && ++position[a] == lattice.dims[a]; ++a) position[a] = 0;
+    }
+    ends.edges.visit_block(block, [&](std::uint32_t, std::uint32_t edge) {
+      const auto [a, b] = ends.of(edge);
+      not_zero[edge % 3] |= std::uint64_t{a != b} << (edge / 3 % 64);
+    });
+    return not_zero;
   });
 }
 
-VertexPairs collect_pairs(const VoxelSides& sides, const EdgeIndex& edges, const Surface& surface,
-                          std::span<const std::uint32_t> closest) {
+/// Calls visit(a, b) for the pairs of ends that are to be searched for, some of them repeatedly,
+/// and from many threads.
+template <class Visit>
+void for_each_pair_of_ends(const Ends& ends, const EdgeSet& not_zero, const Surface& surface,
+                           const Visit& visit) {
   const auto& component = surface.component_of_vertex;
+  tbb::parallel_for(std::uint32_t{0}, not_zero.block_count(), [&](std::uint32_t block) {
+    not_zero.visit_block(block, [&](std::uint32_t, std::uint32_t edge) {
+      const auto pair = ends.of(edge);
+      if (component[pair[0]] == component[pair[1]] && !ends.are_those_of_a_lesser(edge, pair))
+        visit(pair[0], pair[1]);
+    });
+    ends.edges.visit_block(block, [&](std::uint32_t, std::uint32_t edge) {
+      const auto [a, b] = ends.of_outside_half(edge);
+      if (a != b && component[a] == component[b]) visit(a, b);
+    });
+  });
+}
+
+VertexPairs collect_pairs(const Ends& ends, const EdgeSet& not_zero, const Surface& surface) {
   PairCollector collector(static_cast<std::uint32_t>(surface.points.size()));
-  const auto matters = [&](std::uint32_t a, std::uint32_t b) {
-    return a != b && component[a] == component[b];
-  };
-  for_each_end_pair(sides, edges, closest,
-                    [&](std::uint32_t, bool, std::uint32_t a, std::uint32_t b) {
-                      if (matters(a, b)) collector.count(a, b);
-                    });
+  for_each_pair_of_ends(ends, not_zero, surface,
+                        [&](std::uint32_t a, std::uint32_t b) { collector.count(a, b); });
   collector.end_of_counting();
-  for_each_end_pair(sides, edges, closest,
-                    [&](std::uint32_t, bool, std::uint32_t a, std::uint32_t b) {
-                      if (matters(a, b)) collector.add(a, b);
-                    });
+  for_each_pair_of_ends(ends, not_zero, surface,
+                        [&](std::uint32_t a, std::uint32_t b) { collector.add(a, b); });
   return collector.take();
 }
 
@@ -117,48 +158,50 @@ void search_pairs(const EdgeGraph& graph, const std::vector<Vec3>& points, const
   });
 }
 
-/// Calls visit(a, b, length) for each pair; a is the lesser.
-template <class Visit>
-void for_each_pair(const VertexPairs& pairs, std::vector<float>& lengths, const Visit& visit) {
-  tbb::parallel_for(std::uint32_t{0}, pairs.source_count(), [&](std::uint32_t a) {
+/// A pair without a length.
+struct OpenPair {
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+  std::uint32_t position = 0;  // in VertexPairs::partner
+};
+
+std::vector<OpenPair> open_pairs(const VertexPairs& pairs, const std::vector<float>& lengths) {
+  std::vector<OpenPair> open;
+  for (std::uint32_t a = 0; a < pairs.source_count(); ++a)
     for (std::uint32_t i = pairs.first[a]; i < pairs.first[a + 1]; ++i)
-      visit(a, pairs.partner[i], lengths[i]);
-  });
+      if (lengths[i] == unknown) open.push_back({a, pairs.partner[i], i});
+  return open;
 }
 
 /// Lengths between clusters for the open pairs; none comes out below `least`, which the level
-/// before has searched in vain, nor below the straight line.
-void search_level(const Surface& surface, const ClusterLevel& level, const VertexPairs& pairs,
-                  double least, double block, std::vector<float>& lengths) {
-  const double radius = level_radius * block;
-  const double bucket = block / 2;
+/// before has searched in vain, nor below the straight line. Returns those that stay open.
+std::vector<OpenPair> search_level(const Surface& surface, const ClusterLevel& level, double least,
+                                   double block, std::vector<OpenPair> open,
+                                   std::vector<float>& lengths) {
   const auto& cluster = level.cluster_of_vertex;
   PairCollector collector(static_cast<std::uint32_t>(level.centers.size()));
-  const auto at_least = [&](std::uint32_t a, std::uint32_t b) {
-    const double line = distance(scaled_point(surface, a), scaled_point(surface, b));
-    return static_cast<float>(std::max(least, line));
+  const auto set_length = [&](const OpenPair& pair, float found) {
+    const double line = distance(scaled_point(surface, pair.a), scaled_point(surface, pair.b));
+    lengths[pair.position] = std::max(found, static_cast<float>(std::max(least, line)));
   };
-  const auto settle_or = [&](const auto& use) {
-    for_each_pair(pairs, lengths, [&](std::uint32_t a, std::uint32_t b, float& length) {
-      if (length != unknown) return;
-      if (cluster[a] == cluster[b])
-        length = at_least(a, b);
-      else
-        use(a, b, length);
-    });
-  };
-  settle_or(
-      [&](std::uint32_t a, std::uint32_t b, float&) { collector.count(cluster[a], cluster[b]); });
+  std::erase_if(open, [&](const OpenPair& pair) {
+    if (cluster[pair.a] != cluster[pair.b]) return false;
+    set_length(pair, 0.0F);
+    return true;
+  });
+  for (const OpenPair& pair : open) collector.count(cluster[pair.a], cluster[pair.b]);
   collector.end_of_counting();
-  settle_or(
-      [&](std::uint32_t a, std::uint32_t b, float&) { collector.add(cluster[a], cluster[b]); });
+  for (const OpenPair& pair : open) collector.add(cluster[pair.a], cluster[pair.b]);
   const VertexPairs between = collector.take();
   std::vector<float> distances(between.partner.size(), unknown);
-  search_pairs(level.neighbors, level.centers, between, radius, bucket, distances);
-  settle_or([&](std::uint32_t a, std::uint32_t b, float& length) {
-    const float found = distances[between.find(cluster[a], cluster[b])];
-    if (found != unknown) length = std::max(found, at_least(a, b));
+  search_pairs(level.neighbors, level.centers, between, level_radius * block, block / 2, distances);
+  std::erase_if(open, [&](const OpenPair& pair) {
+    const float found = distances[between.find(cluster[pair.a], cluster[pair.b])];
+    if (found == unknown) return false;
+    set_length(pair, found);
+    return true;
   });
+  return open;
 }
 
 /// Blocks of the last are larger than any volume, whose sides are at most 2^20 times 10^36 (the
@@ -181,52 +224,40 @@ std::vector<float> pair_lengths(const Surface& surface, const VertexPairs& pairs
   double searched = exact_radius * voxel;
   search_pairs(surface.graph, level.centers, pairs, searched, voxel / 2, lengths);
   int levels = 0;
-  for (double block = 2 * voxel;
-       std::find(lengths.begin(), lengths.end(), unknown) != lengths.end(); block *= 2) {
+  std::vector<OpenPair> open = open_pairs(pairs, lengths);
+  for (double block = 2 * voxel; !open.empty(); block *= 2) {
     if (++levels > most_levels)
       throw SelfCheckFailed("sizes are still unknown where clusters are as large as the volume");
     level = coarser_level(level);
-    search_level(surface, level, pairs, searched, block, lengths);
+    open = search_level(surface, level, searched, block, std::move(open), lengths);
     searched = level_radius * block;
   }
   return lengths;
-}
-
-/// The edges whose size is not 0, but for outside halves.
-EdgeSet edges_of_size(const VoxelSides& sides, const EdgeIndex& edges,
-                      std::span<const std::uint32_t> closest) {
-  return EdgeSet(sides.lattice.vertex_count(), [&](std::uint32_t block) {
-    EdgeSet::BlockBits not_zero{};
-    visit_end_pairs(
-        sides, edges, closest, block,
-        [&](std::uint32_t edge, bool is_outside_half, std::uint32_t a, std::uint32_t b) {
-          if (is_outside_half || a == b) return;
-          not_zero[edge % 3] |= std::uint64_t{1} << (edge / 3 % 64);
-        });
-    return not_zero;
-  });
 }
 
 }  // namespace
 
 EdgeSizes geodesic_sizes(const VoxelSides& sides, const EdgeIndex& edges, const Surface& surface,
                          std::span<const std::uint32_t> closest, GeodesicMode mode) {
-  const VertexPairs pairs = collect_pairs(sides, edges, surface, closest);
+  const Ends ends{sides, edges, closest};
+  EdgeSet not_zero = edges_of_size(ends);
+  const VertexPairs pairs = collect_pairs(ends, not_zero, surface);
   const std::vector<float> lengths = pair_lengths(surface, pairs, mode);
   const auto& component = surface.component_of_vertex;
+  const auto size_of = [&](const std::array<std::uint32_t, 2>& ends_of_edge) {
+    const auto [a, b] = ends_of_edge;
+    if (a == b) return 0.0F;
+    return component[a] != component[b] ? infinite : lengths[pairs.find(a, b)];
+  };
   EdgeSizes sizes;
-  sizes.by_edge = SparseSizes(edges_of_size(sides, edges, closest));
+  sizes.by_edge = SparseSizes(std::move(not_zero));
+  sizes.by_edge.set_all([&](std::uint32_t edge) { return size_of(ends.of(edge)); });
   sizes.of_outside_half.resize(surface.points.size());
-  for_each_end_pair(
-      sides, edges, closest,
-      [&](std::uint32_t edge, bool is_outside_half, std::uint32_t a, std::uint32_t b) {
-        if (a == b) return;
-        const float size = component[a] != component[b] ? infinite : lengths[pairs.find(a, b)];
-        if (is_outside_half)
-          sizes.of_outside_half[edges.vertex_on(edge)] = size;
-        else
-          sizes.by_edge.set(edge, size);
-      });
+  tbb::parallel_for(std::uint32_t{0}, edges.block_count(), [&](std::uint32_t block) {
+    edges.visit_block(block, [&](std::uint32_t vertex, std::uint32_t edge) {
+      sizes.of_outside_half[vertex] = size_of(ends.of_outside_half(edge));
+    });
+  });
   return sizes;
 }
 

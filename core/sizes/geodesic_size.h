@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <tbb/parallel_for.h>
+
 #include "core/base/unset_vector.h"
 #include "core/cube/voxel_sides.h"
 #include "core/surface/edge_index.h"
@@ -20,7 +22,7 @@ namespace isoloop {
 class SparseSizes {
  public:
   SparseSizes() = default;
-  /// Each of `not_zero` is to be set before it is read.
+  /// set_all() is to be called before any is read.
   explicit SparseSizes(EdgeSet not_zero)
       : not_zero_(std::move(not_zero)), sizes_(not_zero_.count()) {}
 
@@ -28,8 +30,20 @@ class SparseSizes {
     return not_zero_[grid_edge] ? sizes_[not_zero_.rank(grid_edge)] : 0.0F;
   }
 
-  /// `grid_edge` must be one of those that are not 0. Other threads may set other edges.
-  void set(std::uint32_t grid_edge, float size) { sizes_[not_zero_.rank(grid_edge)] = size; }
+  /// Bit i: whether the edge along `axis` at lattice vertex `first` + i is one of those not 0.
+  std::uint64_t not_zero(std::uint32_t axis, std::uint32_t first) const {
+    return not_zero_.bits(axis, first);
+  }
+
+  /// Sets those that are not 0 to size_of(grid edge), which many threads call.
+  template <class SizeOf>
+  void set_all(const SizeOf& size_of) {
+    tbb::parallel_for(std::uint32_t{0}, not_zero_.block_count(), [&](std::uint32_t block) {
+      not_zero_.visit_block(block, [&](std::uint32_t rank, std::uint32_t grid_edge) {
+        sizes_[rank] = size_of(grid_edge);
+      });
+    });
+  }
 
   std::uint64_t bytes() const { return not_zero_.bytes() + sizes_.size() * sizeof(float); }
 

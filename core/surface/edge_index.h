@@ -21,6 +21,11 @@ class EdgeIndex {
 
   bool is_cut(std::uint32_t grid_edge) const { return cut_[grid_edge]; }
 
+  /// Bit i: whether the edge along `axis` at lattice vertex `first` + i is cut.
+  std::uint64_t cut_bits(std::uint32_t axis, std::uint32_t first) const {
+    return cut_.bits(axis, first);
+  }
+
   /// `grid_edge` must be cut.
   std::uint32_t vertex_on(std::uint32_t grid_edge) const { return number_[cut_.rank(grid_edge)]; }
 

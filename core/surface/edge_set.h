@@ -39,6 +39,15 @@ class EdgeSet {
     return (blocks_[v / 64].members[grid_edge % 3] >> (v % 64) & 1U) != 0;
   }
 
+  /// Bit i: whether the edge along `axis` at lattice vertex `first` + i is a member.
+  std::uint64_t bits(std::uint32_t axis, std::uint32_t first) const {
+    const std::size_t b = first / 64;
+    const unsigned shift = first % 64;
+    std::uint64_t found = blocks_[b].members[axis] >> shift;
+    if (shift != 0 && b + 1 < blocks_.size()) found |= blocks_[b + 1].members[axis] << (64 - shift);
+    return found;
+  }
+
   /// Members before `grid_edge`, in the order of visit_block().
   std::uint32_t rank(std::uint32_t grid_edge) const {
     const std::uint32_t v = grid_edge / 3;

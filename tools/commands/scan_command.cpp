@@ -25,6 +25,7 @@ struct ScanFlags {
   VolumeFlags volume;
   LevelFlags level;
   ScanRange range;
+  std::string ignored;  // "64", "0.1%" or empty
   ProgressFlags progress;
   std::string json;  // file, "-" or empty
   std::string csv;   // file, "-" or empty
@@ -36,12 +37,14 @@ ScanRun scanned_run(const ScanFlags& flags, const Progress& progress) {
   level.iso = "0";  // stands in until an iso value is proposed
   ScanRun run{read_run(flags.volume, level)};
   const std::vector<double> isos = scan_values(flags.range, run.volume, run.range);
-  run.scan = in_stage("scan", [&] { return scan_of(run, isos, progress); });
+  run.scan = in_stage(
+      "scan", [&] { return scan_of(run, isos, progress, parse_ignored_size(flags.ignored)); });
   return run;
 }
 
 void scan(const ScanFlags& flags) {
   ScanRun run;
+  parse_ignored_size(flags.ignored);  // refused before anything is read
   OutputFiles outputs(flags.volume.file);
   outputs.add("--json", flags.json, report_of(run, write_scan_json));
   outputs.add("--csv", flags.csv, report_of(run, write_scan_csv));
@@ -77,6 +80,13 @@ void add_scan_command(CLI::App& app) {
   command
       .add_option("--to", flags->range.to, "the largest of them (default: the largest voxel value)")
       ->type_name("VALUE");
+  want_text(
+      command
+          .add_option("--ignore-below", flags->ignored,
+                      "what is smaller does not break a plateau: components, tunnels and cavities, "
+                      "in voxels or as a share of the largest component (default: 0, or of 64, 512 "
+                      "and 4096 the first with which something is stable)")
+          ->type_name("VOXELS|SHARE%"));
   const auto add_output = [&](const char* flag, std::string& name, const char* text) {
     want_file_name(command.add_option(flag, name, text)->type_name("FILE|-"));
   };

@@ -170,10 +170,11 @@ void add_convention_flags(CLI::App& command, LevelFlags& flags) {
 
 void add_level_flags(CLI::App& command, LevelFlags& flags) {
   command
-      .add_option("--iso", flags.iso,
-                  "value of the iso-surface, or two: inside is between them; a level set in a .vdb "
-                  "file has 0 by default")
-      ->type_name("VALUE [UPPER]");
+      .add_option(
+          "--iso", flags.iso,
+          "value of the iso-surface; two: inside is between them; auto: what scan proposes; a "
+          "level set has 0 by default")
+      ->type_name("VALUE [UPPER]|auto");
   want_text(command.get_option("--iso"));
   add_convention_flags(command, flags);
   command
@@ -234,7 +235,8 @@ IsoLevel iso_level(const LevelFlags& flags, const Volume& volume, const ValueRan
   } else if (volume.mask) {
     level.iso = 0.5;
   } else if (!volume.level_set) {
-    throw InvalidArgument("--iso is required: the file is no level set; " + values_text(range));
+    throw InvalidArgument("--iso is required: the file is no level set; " + values_text(range) +
+                          "; --iso auto takes what isoloop scan proposes");
   }
   if (level.upper && !flags.inside.empty()) {
     throw InvalidArgument("--inside does not go with two iso values, between which the inside is");

@@ -219,7 +219,7 @@ Json data_of(const LoopsRun& run, const PageOptions& options) {
           {"direction", volume.direction},
           {"frame", frame_text(volume.frame)},
           {"iso", run.level.iso},
-          {"inside", inside_text(run.level)},
+          {"inside", inside_text(run)},
           {"open", surface.boundary == Boundary::open},
           {"decimals", length_decimals(volume.spacing)},
           {"surface",

@@ -92,7 +92,7 @@ Json removal_of(const RepairRun& run, const Removal& removal) {
 void write_repair_table(std::ostream& out, const RepairRun& run) {
   const Repair& repair = run.repair;
   out << run.file << ": " << dims_text(run.volume.dims) << ' ' << type_name(run.volume.values)
-      << ", inside is " << inside_text(run.level) << "\n\n";
+      << ", inside is " << inside_text(run) << "\n\n";
   write_counts(out, repair);
   write_removals(out, run);
   const int decimals = length_decimals(run.volume.spacing);
@@ -128,6 +128,7 @@ void write_repair_json(std::ostream& out, const RepairRun& run) {
         {"type", type_name(run.volume.values)},
         {"spacing", run.volume.spacing},
         {"mesh", mesh_json(run, repair.before)},
+        {"notes", notes_of(run)},
         {"warnings", sentences_of(run.volume.warnings)}}},
       {"iso", run.level.iso},
       {"conventions",

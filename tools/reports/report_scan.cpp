@@ -1,14 +1,17 @@
 #include "tools/reports/report_scan.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "core/scan/plateau.h"
 #include "tools/flags/input_flags.h"
 #include "tools/reports/report_json.h"
 #include "tools/reports/report_table.h"
+#include "tools/runs/scan_run.h"
 #include "tools/words/number_text.h"
 #include "tools/words/sentence.h"
 #include "tools/words/text_rows.h"
@@ -23,24 +26,26 @@ std::string rule_text(const ScanRun& run) {
   return run.level.inside == InsideRule::above ? "f >= iso" : "f <= iso";
 }
 
-std::string span_text(const IsoScan& scan, const Plateau& plateau) {
+std::string span_text(const Scan& scan, const Plateau& plateau) {
   const std::string first = shortest_text(scan.rows[plateau.first].iso);
   if (plateau.first == plateau.last) return first;
   return first + " to " + shortest_text(scan.rows[plateau.last].iso);
 }
 
-// One row each; marked where it is among the widest meaningful ones.
-std::vector<Row<7>> plateau_rows(const IsoScan& scan) {
-  const std::vector<std::size_t> widest = widest_plateaus(scan);
+// One row each; marked where it is meaningful.
+std::vector<Row<7>> plateau_rows(const Scan& scan) {
+  const std::vector<std::size_t> stablest = stablest_plateaus(scan.plateaus);
   std::vector<Row<7>> rows{{"iso", "width", "b0", "b1", "b2", "χ", "plateau"}};
   for (std::size_t i = 0; i < scan.plateaus.size(); ++i) {
     const Plateau& plateau = scan.plateaus[i];
     const ScanRow& row = scan.rows[plateau.first];
-    const auto place = std::find(widest.begin(), widest.end(), i);
+    const auto place = std::find(stablest.begin(), stablest.end(), i);
     rows.push_back(
-        {span_text(scan, plateau), shortest_text(plateau.width), std::to_string(row.betti.b0),
-         std::to_string(row.betti.b1), std::to_string(row.betti.b2), std::to_string(row.euler),
-         place == widest.end() ? "" : "widest, no. " + std::to_string(place - widest.begin() + 1)});
+        {span_text(scan, plateau), shortest_text(plateau.width), std::to_string(row.large.b0),
+         std::to_string(row.large.b1), std::to_string(row.large.b2),
+         std::to_string(2 * (row.large.b0 - row.large.b1 + row.large.b2)),
+         place == stablest.end() ? ""
+                                 : "stable, no. " + std::to_string(place - stablest.begin() + 1)});
   }
   return rows;
 }
@@ -52,18 +57,23 @@ Json row_of(const ScanRow& row) {
           {"b2", row.betti.b2},
           {"euler", row.euler},
           {"genus", row.genus},
-          {"inside_voxels", row.inside_voxels}};
+          {"inside_voxels", row.inside_voxels},
+          {"large_b0", row.large.b0},
+          {"large_b1", row.large.b1},
+          {"large_b2", row.large.b2}};
 }
 
-Json plateau_of(const IsoScan& scan, const Plateau& plateau) {
+Json plateau_of(const Scan& scan, const Plateau& plateau) {
   const ScanRow& row = scan.rows[plateau.first];
-  return {{"from", row.iso},
-          {"to", scan.rows[plateau.last].iso},
-          {"b0", row.betti.b0},
-          {"b1", row.betti.b1},
-          {"b2", row.betti.b2},
-          {"width", plateau.width},
-          {"meaningful", plateau.meaningful}};
+  return {{"from", row.iso},          {"to", scan.rows[plateau.last].iso},
+          {"b0", row.large.b0},       {"b1", row.large.b1},
+          {"b2", row.large.b2},       {"width", plateau.width},
+          {"voxels", plateau.voxels}, {"meaningful", plateau.meaningful}};
+}
+
+Json proposer_json(const ScanRun& run) {
+  if (!run.scan.proposed || !labels_text(run).empty()) return {};
+  return run.scan.by == ProposedBy::plateau ? "plateau" : "otsu";
 }
 
 template <class Items, class ToJson>
@@ -79,19 +89,8 @@ void write_list(std::ostream& out, const char* name, const Items& items, const T
 
 }  // namespace
 
-std::vector<std::size_t> widest_plateaus(const IsoScan& scan, std::size_t most) {
-  std::vector<std::size_t> widest;
-  for (std::size_t i = 0; i < scan.plateaus.size(); ++i)
-    if (scan.plateaus[i].meaningful) widest.push_back(i);
-  std::stable_sort(widest.begin(), widest.end(), [&](std::size_t a, std::size_t b) {
-    return scan.plateaus[a].width > scan.plateaus[b].width;
-  });
-  widest.resize(std::min(widest.size(), most));
-  return widest;
-}
-
 void write_scan_table(std::ostream& out, const ScanRun& run) {
-  const IsoScan& scan = run.scan;
+  const Scan& scan = run.scan;
   out << run.file << ": " << volume_text(run.volume) << ", inside is " << rule_text(run) << ", "
       << counted(static_cast<std::int64_t>(scan.rows.size()), "iso value", "iso values") << " from "
       << shortest_text(scan.rows.front().iso) << " to " << shortest_text(scan.rows.back().iso)
@@ -99,34 +98,37 @@ void write_scan_table(std::ostream& out, const ScanRun& run) {
   write_rows(out, plateau_rows(scan), {false, false, false, false, false, false, true});
   out << "\nb0: components, b1: tunnels (the genus of the surface), b2: cavities, χ: of the "
          "surface\n";
-  if (!scan.proposed) {
-    out << "no iso value is proposed: no two neighbours give equal counts of a solid and an "
-           "outside that both hold a thousandth of the voxels\n";
-    write_hint(out, run);
-    return;
+  if (scan.ignored_below > 0)
+    out << "set aside: components and cavities of less than " << scan.ignored_below
+        << " voxels, and tunnels that are as small (--ignore-below " << scan.ignored_below << ")\n";
+  const std::string labels = labels_text(run);
+  if (!labels.empty()) {
+    out << "no iso value is proposed: " << labels << '\n';
+  } else if (!scan.proposed) {
+    out << "no iso value is proposed: all voxels are on one side of each\n";
+  } else {
+    out << "proposed: --iso " << shortest_text(scan.rows[*scan.proposed].iso) << ", "
+        << proposal_text(scan) << '\n';
   }
-  const std::size_t widest = widest_plateaus(scan, 1).front();
-  out << "proposed: --iso " << shortest_text(scan.rows[*scan.proposed].iso)
-      << ", in the middle of the widest plateau, " << span_text(scan, scan.plateaus[widest])
-      << '\n';
   write_hint(out, run);
 }
 
 void write_scan_csv(std::ostream& out, const ScanRun& run) {
-  const IsoScan& scan = run.scan;
-  out << "iso,b0,b1,b2,euler,genus,inside_voxels,plateau,meaningful\n";
+  const Scan& scan = run.scan;
+  out << "iso,b0,b1,b2,euler,genus,inside_voxels,large_b0,large_b1,large_b2,plateau,meaningful\n";
   for (std::size_t p = 0; p < scan.plateaus.size(); ++p) {
     for (std::size_t i = scan.plateaus[p].first; i <= scan.plateaus[p].last; ++i) {
       const ScanRow& row = scan.rows[i];
       out << shortest_text(row.iso) << ',' << row.betti.b0 << ',' << row.betti.b1 << ','
           << row.betti.b2 << ',' << row.euler << ',' << row.genus << ',' << row.inside_voxels << ','
-          << p + 1 << ',' << (scan.plateaus[p].meaningful ? 1 : 0) << '\n';
+          << row.large.b0 << ',' << row.large.b1 << ',' << row.large.b2 << ',' << p + 1 << ','
+          << (scan.plateaus[p].meaningful ? 1 : 0) << '\n';
     }
   }
 }
 
 void write_scan_json(std::ostream& out, const ScanRun& run) {
-  const IsoScan& scan = run.scan;
+  const Scan& scan = run.scan;
   const Json input = {{"file", run.file},
                       {"dims", run.volume.dims},
                       {"part", part_json(run.volume)},
@@ -144,9 +146,14 @@ void write_scan_json(std::ostream& out, const ScanRun& run) {
   write_list(out, "scan", scan.rows, row_of);
   write_list(out, "plateaus", scan.plateaus,
              [&scan](const Plateau& plateau) { return plateau_of(scan, plateau); });
-  out << ",\n  \"proposed_iso\": "
-      << (scan.proposed ? Json(scan.rows[*scan.proposed].iso) : Json()).dump()
-      << ",\n  \"seconds\": "
+  const auto iso_at = [&](std::optional<std::size_t> row) {
+    return row && labels_text(run).empty() ? Json(scan.rows[*row].iso).dump() : "null";
+  };
+  out << ",\n  \"ignored_below\": " << scan.ignored_below
+      << ",\n  \"proposed_iso\": " << iso_at(scan.proposed)
+      << ",\n  \"proposed_by\": " << proposer_json(run).dump()
+      << ",\n  \"otsu_iso\": " << iso_at(scan.otsu)
+      << ",\n  \"valley_iso\": " << iso_at(scan.valley) << ",\n  \"seconds\": "
       << Json{{"read", run.cost.read_seconds}, {"total", run.cost.total_seconds}}.dump()
       << ",\n  \"peak_bytes\": " << run.cost.peak_bytes << "\n}\n";
 }

@@ -109,7 +109,7 @@ void write_counts(std::ostream& out, const CountRun& run) {
 }
 
 void write_head(std::ostream& out, const CountRun& run) {
-  out << run.file << ": " << volume_text(run.volume) << ", inside is " << inside_text(run.level)
+  out << run.file << ": " << volume_text(run.volume) << ", inside is " << inside_text(run)
       << "\n\n";
   write_counts(out, run);
   write_mesh(out, run);
@@ -211,6 +211,10 @@ void write_hint(std::ostream& out, const RunInput& run) {
 std::string inside_text(const IsoLevel& level) {
   if (level.upper) return shortest_text(level.iso) + " <= f <= " + shortest_text(*level.upper);
   return (level.inside == InsideRule::above ? "f >= " : "f <= ") + shortest_text(level.iso);
+}
+
+std::string inside_text(const RunInput& run) {
+  return inside_text(run.level) + (run.iso_choice.empty() ? "" : ", " + run.iso_choice);
 }
 
 std::string bounds_text(Boundary boundary, const SurfaceComponent& component) {

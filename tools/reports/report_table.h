@@ -28,6 +28,9 @@ void write_hint(std::ostream& out, const RunInput& run);
 /// "f >= 70" or "f <= 70": which voxels are inside.
 std::string inside_text(const IsoLevel& level);
 
+/// The same, and how --iso auto came to the value if it did.
+std::string inside_text(const RunInput& run);
+
 /// What a component of the surface closes off: "solid", or "cavity" within the solid; "unknown"
 /// with an open boundary.
 std::string bounds_text(Boundary boundary, const SurfaceComponent& component);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/reports/report_scan.h"
+#include "core/scan/plateau.h"
 #include "tools/words/number_text.h"
 
 namespace isoloop {
@@ -48,7 +48,7 @@ std::string place(const Axes& axes, double iso, std::int64_t count) {
 }
 
 // A count holds from its own iso value to the next one.
-void write_curve(std::ostream& out, const IsoScan& scan, const Axes& axes, const char* name,
+void write_curve(std::ostream& out, const Scan& scan, const Axes& axes, const char* name,
                  std::int64_t Betti::*count) {
   out << "<path class=\"curve " << name << "\" d=\"";
   const std::vector<ScanRow>& rows = scan.rows;
@@ -112,7 +112,7 @@ void write_legend(std::ostream& out) {
 
 }  // namespace
 
-void write_scan_svg(std::ostream& out, const IsoScan& scan, InsideRule inside) {
+void write_scan_svg(std::ostream& out, const Scan& scan, InsideRule inside) {
   Axes axes{scan.rows.front().iso, scan.rows.back().iso, 1.0};
   for (const ScanRow& row : scan.rows)
     axes.most = std::max(axes.most,
@@ -121,7 +121,7 @@ void write_scan_svg(std::ostream& out, const IsoScan& scan, InsideRule inside) {
       << number(height) << "\" role=\"img\">\n<title>Components, tunnels and cavities over the iso "
       << "value</title>\n"
       << style << "<rect class=\"back\" width=\"100%\" height=\"100%\"/>\n";
-  for (const std::size_t i : widest_plateaus(scan)) {
+  for (const std::size_t i : stablest_plateaus(scan.plateaus)) {
     const double from = axes.x(scan.rows[scan.plateaus[i].first].iso);
     const double to = axes.x(scan.rows[scan.plateaus[i].last].iso);
     out << "<rect class=\"plateau\" x=\"" << number(from) << "\" y=\"" << number(top)

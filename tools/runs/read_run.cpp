@@ -6,6 +6,7 @@
 
 #include "core/base/stage.h"
 #include "tools/flags/flag_kinds.h"
+#include "tools/runs/auto_iso.h"
 #include "tools/runs/memory_cap.h"
 #include "tools/words/sentence.h"
 #include "tools/words/value_hints.h"
@@ -19,6 +20,21 @@ void print_warnings(std::ostream& out, const Volume& volume) {
     out << "isoloop: warning: " << warning << '\n';
   }
 }
+
+namespace {
+
+/// What the flags say; with --iso auto what the voxels suggest, and `run` says so.
+IsoLevel level_of(LevelFlags flags, RunInput& run) {
+  if (flags.iso != "auto") return iso_level(flags, run.volume, run.range);
+  flags.iso = "0";  // stands in until a value is chosen
+  run.level = iso_level(flags, run.volume, run.range);
+  const ChosenIso chosen = choose_iso(run);
+  run.iso_choice = chosen.how;
+  run.level.iso = chosen.iso;
+  return run.level;
+}
+
+}  // namespace
 
 RunInput read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flags) {
   const auto start = std::chrono::steady_clock::now();
@@ -39,7 +55,7 @@ RunInput read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flags
   run.cost.max_bytes = limit - std::min(limit, resident_bytes());
   print_warnings(std::cerr, run.volume);
   run.range = value_range(run.volume);
-  run.level = iso_level(level_flags, run.volume, run.range);
+  run.level = level_of(level_flags, run);
   if (is_mask(run.range) && !run.volume.level_set && volume_flags.label.empty() &&
       level_flags.connectivity.empty()) {
     run.hint = mask_hint(run.range);

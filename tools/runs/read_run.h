@@ -13,9 +13,10 @@ namespace isoloop {
 /// One line for each of the volume's warnings.
 void print_warnings(std::ostream& out, const Volume& volume);
 
-/// Reads the volume, prints its warnings to standard error, and settles the level; the analysis is
-/// still empty. --max-memory, if given, bounds the process from here on. Throws as
-/// check_flags_agree, check_flags_fit_file, read_options, read_volume and iso_level do.
+/// Reads the volume, prints its warnings to standard error, and settles the level, with --iso auto
+/// as choose_iso() does; the analysis is still empty. --max-memory, if given, bounds the process
+/// from here on. Throws as check_flags_agree, check_flags_fit_file, read_options, read_volume and
+/// iso_level do.
 RunInput read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flags);
 
 /// The error, with the advice to read a part made one to take larger voxels if `file` is a mesh, of

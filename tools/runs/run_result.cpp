@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "core/base/errors.h"
+#include "tools/words/number_text.h"
 #include "tools/words/sentence.h"
 
 namespace isoloop {
@@ -98,6 +99,8 @@ std::vector<Loop> select_loops(const std::vector<Loop>& loops, const LoopFilter&
 
 std::vector<std::string> notes_of(const RunInput& run) {
   std::vector<std::string> notes = sentences_of(run.volume.notes);
+  if (!run.iso_choice.empty())
+    notes.push_back("iso " + shortest_text(run.level.iso) + " is " + run.iso_choice);
   if (!run.hint.empty()) notes.push_back(run.hint);
   return notes;
 }

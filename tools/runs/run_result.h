@@ -13,8 +13,7 @@
 #include "core/analysis/analysis.h"
 #include "core/loops/features.h"
 #include "core/repair/repair.h"
-#include "core/scan/plateau.h"
-#include "core/scan/scan.h"
+#include "isoloop/scan.h"
 #include "volume/voxels/volume.h"
 
 namespace isoloop {
@@ -50,6 +49,7 @@ struct RunInput {
   ValueRange range{};
   std::optional<double> nan_as{};  // the value that was read in place of NaN
   IsoLevel level{};
+  std::string iso_choice{};  // how --iso auto came to the level's iso value; empty: it was stated
   std::string hint{};  // what the values suggest, for a mask that was not read as one; or empty
   RunCost cost{};
 };
@@ -57,13 +57,6 @@ struct RunInput {
 /// A run of `count`: the analysis has no loops.
 struct CountRun : RunInput {
   Analysis analysis{};
-};
-
-/// The counts at many iso values.
-struct IsoScan {
-  std::vector<ScanRow> rows{};  // one for each iso value, ascending
-  std::vector<Plateau> plateaus{};
-  std::optional<std::size_t> proposed{};  // the row to look at first, if any
 };
 
 /// A run of `loops` or `view`.
@@ -76,14 +69,14 @@ struct LoopsRun : CountRun {
   std::vector<Loop> reported{};     // select_loops(analysis.loops, filter)
   std::vector<Feature> features{};  // one for each of analysis.loops; empty: not looked for
   bool with_features = false;       // reports tell of them
-  std::optional<IsoScan> scan{};    // where a page is to show it
+  std::optional<Scan> scan{};       // where a page is to show it
 };
 
 using LoopsReport = std::function<void(std::ostream&, const LoopsRun&)>;
 
 /// A run of `scan`: `level` has the rule, its iso value means nothing.
 struct ScanRun : RunInput {
-  IsoScan scan{};
+  Scan scan{};
 };
 
 /// A run of `repair`; the volume is the repaired one once it is written.
@@ -92,7 +85,7 @@ struct RepairRun : RunInput {
   std::string output{};  // the file written; empty on a dry run
 };
 
-/// The volume's notes and the hint.
+/// The volume's notes, how its iso value was chosen, and the hint.
 std::vector<std::string> notes_of(const RunInput& run);
 
 /// Throws SelfCheckFailed unless every component of the surface is closed (or, with an open

@@ -9,9 +9,11 @@
 
 #include "core/base/errors.h"
 #include "core/scan/plateau.h"
-#include "core/scan/scan.h"
+#include "core/scan/proposal.h"
+#include "tools/flags/flag_lists.h"
 #include "tools/runs/read_run.h"
 #include "tools/words/number_text.h"
+#include "tools/words/value_hints.h"
 
 namespace isoloop {
 namespace {
@@ -79,19 +81,53 @@ std::vector<double> scan_values(const ScanRange& range, const Volume& volume,
   return values;
 }
 
-IsoScan scan_of(const RunInput& run, const std::vector<double>& isos, const Progress& progress) {
-  const Index3& dims = run.volume.dims;
-  IsoScan scan;
-  scan.rows = about_file(run.file, [&] {
-    return scan_topology(view(run.volume), isos,
-                         {.inside = run.level.inside,
-                          .topology = run.level.topology,
-                          .progress = progress,
-                          .max_bytes = run.cost.max_bytes});
+IgnoredSize parse_ignored_size(std::string_view text) {
+  if (text.empty()) return {};
+  if (text.ends_with('%')) {
+    const std::optional<double> percent = parse_number<double>(text.substr(0, text.size() - 1));
+    if (percent && *percent > 0 && *percent < 100) return {.share = *percent / 100};
+  } else if (const auto voxels = parse_number<std::int64_t>(text); voxels && *voxels >= 0) {
+    return {.voxels = voxels};
+  }
+  throw InvalidArgument("--ignore-below " + std::string(text) +
+                        " states neither a number of voxels nor a share of the largest component, "
+                        "as 64 and 0.1% do");
+}
+
+Scan scan_of(const RunInput& run, const std::vector<double>& isos, const Progress& progress,
+             const IgnoredSize& ignored) {
+  return about_file(run.file, [&] {
+    return scan_and_propose(view(run.volume), isos,
+                            {.inside = run.level.inside,
+                             .topology = run.level.topology,
+                             .ignore_below = ignored.voxels,
+                             .ignore_share = ignored.share,
+                             .progress = progress,
+                             .max_bytes = run.cost.max_bytes});
   });
-  scan.plateaus = find_plateaus(scan.rows, dims[0] * dims[1] * dims[2]);
-  scan.proposed = proposed_row(scan.rows, scan.plateaus);
-  return scan;
+}
+
+std::string proposal_text(const Scan& scan) {
+  if (scan.by == ProposedBy::plateau) {
+    const Plateau& plateau = scan.plateaus[stablest_plateaus(scan.plateaus).front()];
+    std::string text = "the middle of the most stable plateau, " +
+                       shortest_text(scan.rows[plateau.first].iso) + " to " +
+                       shortest_text(scan.rows[plateau.last].iso);
+    if (scan.ignored_below > 0)
+      text += ", of parts of " + std::to_string(scan.ignored_below) + " voxels and more";
+    return text;
+  }
+  std::string text =
+      "Otsu's value, which parts the voxels by their values alone, as no plateau is "
+      "stable";
+  if (scan.valley)
+    text += "; the valley of the histogram is at " + shortest_text(scan.rows[*scan.valley].iso);
+  return text;
+}
+
+std::string labels_text(const RunInput& run) {
+  if (run.volume.level_set || !is_label_map(run.range)) return "";
+  return values_text(run.range);
 }
 
 }  // namespace isoloop

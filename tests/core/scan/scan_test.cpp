@@ -119,6 +119,33 @@ TEST(Scan, IsTheSameForAnyNumberOfThreads) {
               numbers(few[i].betti, few[i].euler, few[i].inside_voxels));
 }
 
+TEST(Scan, CountsComponentsAndCavitiesOfASize) {
+  // A bar of four voxels, one of one voxel, and a shell round a hollow of one voxel.
+  SmallVolume volume;
+  volume.dims = {7, 5, 3};
+  volume.values.assign(105, 0.0);
+  for (const std::size_t x : {0U, 1U, 2U, 3U}) volume.values[x] = 2.0;
+  volume.values[6] = 2.0;
+  for (std::size_t z = 0; z < 3; ++z)
+    for (std::size_t y = 2; y < 5; ++y)
+      for (std::size_t x = 4; x < 7; ++x) volume.values[x + 7 * y + 35 * z] = 2.0;
+  volume.values[5 + 7 * 3 + 35] = 0.0;
+  const std::vector<double> isos{1.0, 3.0};
+  const std::vector<std::int64_t> sizes{1, 2, 5};
+  const SizedScan scan = scan_sizes(volume.view(), isos, sizes);
+  EXPECT_EQ(scan.rows[0].betti.b0, 3);
+  EXPECT_EQ(scan.large[0][0].b0, 3);
+  EXPECT_EQ(scan.large[1][0].b0, 2);
+  EXPECT_EQ(scan.large[2][0].b0, 1);
+  EXPECT_EQ(scan.large[0][0].b2, 1);
+  EXPECT_EQ(scan.large[1][0].b2, 0);
+  EXPECT_EQ(scan.large[0][1].b0, 0);
+  EXPECT_EQ(scan.large[2][1].b2, 0) << "what lies round the grid is no cavity";
+  EXPECT_EQ(scan.largest, (std::vector<std::int64_t>{26, 0}));
+  const SizedScan below = scan_sizes(volume.view(), isos, sizes, {.inside = InsideRule::below});
+  EXPECT_EQ(below.large[2][1].b0, 1);
+}
+
 TEST(Scan, RefusesWhatMakesNoSense) {
   const SmallVolume volume = testing::white_noise({3, 3, 3}, 1);
   const auto scan = [&](const std::vector<double>& isos) { scan_topology(volume.view(), isos); };

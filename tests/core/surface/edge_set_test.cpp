@@ -39,6 +39,17 @@ TEST(EdgeSet, RanksNumberTheMembersInTheOrderOfBlocks) {
   }
 }
 
+TEST(EdgeSet, TellsSixtyFourAtATimeFromAnyVertexOn) {
+  constexpr std::uint32_t vertices = 200;
+  const EdgeSet set = random_set(vertices, 4, 3);
+  for (std::uint32_t axis = 0; axis < 3; ++axis)
+    for (std::uint32_t first = 0; first < vertices; ++first) {
+      const std::uint64_t bits = set.bits(axis, first);
+      for (std::uint32_t i = 0; i < 64; ++i)
+        EXPECT_EQ((bits >> i & 1U) != 0, first + i < vertices && set[3 * (first + i) + axis]);
+    }
+}
+
 TEST(EdgeSet, TakesHalfAByteALatticeVertex) {
   EXPECT_EQ(random_set(64'000, 8, 1).bytes(), 32'000U);
 }

@@ -17,12 +17,19 @@ namespace {
 ScanRun scanned_run() {
   ScanRun run{empty_run()};
   const auto row = [](double iso, std::int64_t b1, std::int64_t voxels) {
-    return ScanRow{iso, {1, b1, 0}, 2 - 2 * b1, b1, voxels};
+    return ScanRow{iso, {1, b1 + 5, 0}, 2 - 2 * (b1 + 5), b1 + 5, voxels, {1, b1, 0}};
   };
   run.scan.rows = {row(0.5, 7, 900), row(1, 2, 800), row(2, 2, 700), row(3, 2, 600),
                    row(4, 0, 500)};
-  run.scan.plateaus = find_plateaus(run.scan.rows, 1000);
-  run.scan.proposed = proposed_row(run.scan.rows, run.scan.plateaus);
+  run.scan.plateaus = {{.first = 0, .last = 0},
+                       {.first = 1, .last = 3, .width = 2, .voxels = 200, .meaningful = true},
+                       {.first = 4, .last = 4}};
+  run.scan.ignored_below = 64;
+  run.scan.otsu = 3;
+  run.scan.valley = 4;
+  run.scan.proposed = 2;
+  run.scan.by = ProposedBy::plateau;
+  run.range = {0, 9};
   return run;
 }
 
@@ -35,35 +42,66 @@ std::string text_of(const ScanRun& run, const Write& write) {
 
 TEST(ReportScan, TableHasARowForEachPlateauAndAProposal) {
   const std::string table = text_of(scanned_run(), write_scan_table);
-  EXPECT_NE(table.find("1 to 3      2   1   2   0   -2  widest, no. 1\n"), std::string::npos)
+  EXPECT_NE(table.find("1 to 3      2   1   2   0   -2  stable, no. 1\n"), std::string::npos)
       << table;
-  EXPECT_NE(table.find("proposed: --iso 2, in the middle of the widest plateau, 1 to 3\n"),
-            std::string::npos)
+  EXPECT_NE(
+      table.find("proposed: --iso 2, the middle of the most stable plateau, 1 to 3, of parts of "
+                 "64 voxels and more\n"),
+      std::string::npos)
       << table;
+}
+
+TEST(ReportScan, TableNamesOtsusValueAndTheValleyAsWhatTheyAre) {
+  ScanRun run = scanned_run();
+  run.scan.by = ProposedBy::otsu;
+  run.scan.proposed = run.scan.otsu;
+  const std::string table = text_of(run, write_scan_table);
+  EXPECT_NE(table.find("proposed: --iso 3, Otsu's value"), std::string::npos) << table;
+  EXPECT_NE(table.find("the valley of the histogram is at 4\n"), std::string::npos) << table;
 }
 
 TEST(ReportScan, TableSaysWhyNothingIsProposed) {
   ScanRun run = scanned_run();
-  run.scan.rows.resize(1);
-  run.scan.plateaus = find_plateaus(run.scan.rows, 1000);
-  run.scan.proposed = proposed_row(run.scan.rows, run.scan.plateaus);
-  EXPECT_NE(text_of(run, write_scan_table).find("no iso value is proposed"), std::string::npos);
+  run.scan.proposed.reset();
+  EXPECT_NE(text_of(run, write_scan_table).find("no iso value is proposed: all voxels"),
+            std::string::npos);
+  run = scanned_run();
+  run.range = {0, 3, {0, 1, 3}};
+  const std::string table = text_of(run, write_scan_table);
+  EXPECT_NE(table.find("no iso value is proposed"), std::string::npos);
+  EXPECT_NE(table.find("0, 1, 3 alone, as in a label map: --label N"), std::string::npos) << table;
+  EXPECT_TRUE(nlohmann::json::parse(text_of(run, write_scan_json))["proposed_iso"].is_null());
 }
 
 TEST(ReportScan, CsvHasALineForEachIsoValue) {
   EXPECT_EQ(text_of(scanned_run(), write_scan_csv),
-            "iso,b0,b1,b2,euler,genus,inside_voxels,plateau,meaningful\n"
-            "0.5,1,7,0,-12,7,900,1,0\n1,1,2,0,-2,2,800,2,1\n2,1,2,0,-2,2,700,2,1\n"
-            "3,1,2,0,-2,2,600,2,1\n4,1,0,0,2,0,500,3,0\n");
+            "iso,b0,b1,b2,euler,genus,inside_voxels,large_b0,large_b1,large_b2,plateau,meaningful\n"
+            "0.5,1,12,0,-22,12,900,1,7,0,1,0\n1,1,7,0,-12,7,800,1,2,0,2,1\n"
+            "2,1,7,0,-12,7,700,1,2,0,2,1\n3,1,7,0,-12,7,600,1,2,0,2,1\n"
+            "4,1,5,0,-8,5,500,1,0,0,3,0\n");
 }
 
 TEST(ReportScan, JsonHoldsRowsPlateausAndTheProposal) {
   const auto json = nlohmann::json::parse(text_of(scanned_run(), write_scan_json));
   EXPECT_EQ(json["schema"], "isoloop/1");
   EXPECT_EQ(json["scan"].size(), 5U);
-  EXPECT_EQ(json["scan"][0]["b1"], 7);
+  EXPECT_EQ(json["scan"][0]["b1"], 12);
+  EXPECT_EQ(json["scan"][0]["large_b1"], 7);
   EXPECT_EQ(json["plateaus"][1]["to"], 3.0);
+  EXPECT_EQ(json["plateaus"][1]["voxels"], 200);
+  EXPECT_EQ(json["ignored_below"], 64);
   EXPECT_EQ(json["proposed_iso"], 2.0);
+  EXPECT_EQ(json["proposed_by"], "plateau");
+  EXPECT_EQ(json["otsu_iso"], 3.0);
+  EXPECT_EQ(json["valley_iso"], 4.0);
+}
+
+TEST(IgnoredSize, IsVoxelsOrAShare) {
+  EXPECT_EQ(parse_ignored_size("64").voxels, 64);
+  EXPECT_DOUBLE_EQ(parse_ignored_size("0.1%").share.value(), 0.001);
+  EXPECT_FALSE(parse_ignored_size("").voxels);
+  for (const char* text : {"x", "-1", "0%", "100%", "1.5", "%"})
+    EXPECT_THROW(parse_ignored_size(text), InvalidArgument) << text;
 }
 
 Volume volume_of(const VoxelArray& values) {
