@@ -26,20 +26,32 @@ void Z2Vector::become_bits() {
   list_.clear();
 }
 
+void Z2Vector::add_listed(std::span<const std::uint32_t> ones) {
+  spare_.clear();
+  std::set_symmetric_difference(list_.begin(), list_.end(), ones.begin(), ones.end(),
+                                std::back_inserter(spare_));
+  std::swap(list_, spare_);
+  if (!list_.empty() && list_.size() * bits_per_listed > list_.back()) become_bits();
+}
+
 void Z2Vector::add(const Z2Vector& other) {
   if (is_list() && other.is_list()) {
-    spare_.clear();
-    std::set_symmetric_difference(list_.begin(), list_.end(), other.list_.begin(),
-                                  other.list_.end(), std::back_inserter(spare_));
-    std::swap(list_, spare_);
-    if (!list_.empty() && list_.size() * bits_per_listed > list_.back()) become_bits();
+    add_listed(other.list_);
+    return;
+  }
+  // Of a list and bits: bits where the list takes no more words than it has elements beyond them.
+  const GeneratorSet& list = is_list() ? list_ : other.list_;
+  const std::size_t words = is_list() ? other.bits_.size() : bits_.size();
+  if (!list.empty() && list.back() / word_bits >= words + list.size()) {
+    if (!is_list()) {
+      list_ = ones();
+      bits_.clear();
+    }
+    add_listed(other.ones());
     return;
   }
   if (is_list()) become_bits();
-  if (other.is_list()) {
-    for (const std::uint32_t element : other.list_) flip(element);
-    return;
-  }
+  for (const std::uint32_t element : other.list_) flip(element);
   if (bits_.size() < other.bits_.size()) bits_.resize(other.bits_.size());
   for (std::size_t w = 0; w < other.bits_.size(); ++w) bits_[w] ^= other.bits_[w];
 }

@@ -30,6 +30,7 @@ class Z2Vector {
 
  private:
   bool is_list() const { return bits_.empty(); }
+  void add_listed(std::span<const std::uint32_t> ones);
   void become_bits();
   void flip(std::uint32_t element);
 
