@@ -30,7 +30,7 @@ struct AnalysisOptions {
   std::uint64_t max_bytes = unlimited_bytes;  // to hold beside the grid's voxels
 };
 
-/// Wall-clock seconds of each stage.
+/// Wall-clock seconds of each stage, but for the last.
 struct StageSeconds {
   double surface = 0.0;
   double closest = 0.0;
@@ -38,6 +38,7 @@ struct StageSeconds {
   double pass = 0.0;
   double pair = 0.0;  // of the engine `pair` alone
   double loops = 0.0;
+  double slowest_loops = 0.0;  // CPU, within `loops`: slowest_hundredth() of both sides' searches
 };
 
 struct Analysis {

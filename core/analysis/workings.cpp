@@ -12,6 +12,7 @@
 #include "core/base/stage.h"
 #include "core/base/threads.h"
 #include "core/complex/grid_complex.h"
+#include "core/complex/grid_sizes.h"
 #include "core/cube/voxel_sides.h"
 #include "core/engines/dual_pass.h"
 #include "core/engines/spanning_forest.h"
@@ -85,9 +86,9 @@ class Room {
     return threads_within("sizes", sizes_bytes(lattice_, vertices_), size_search_bytes(vertices_),
                           limit_, thread_count());
   }
-  int loop_searches(std::uint64_t sizes) const {
-    return threads_within("loops", loops_bytes(lattice_, vertices_, sizes),
-                          loop_search_bytes(vertices_), limit_, thread_count());
+  int loop_searches() const {
+    return threads_within("loops", loops_bytes(lattice_, vertices_), loop_search_bytes(vertices_),
+                          limit_, thread_count());
   }
 
   struct Passes {
@@ -112,9 +113,9 @@ class Room {
 };
 
 /// Runs the dual pass on both sides; `at_once`: at a time, which takes the memory of two.
-void run_passes(const Surface& surface, Workings& workings, bool at_once) {
+void run_passes(const Surface& surface, const EdgeSizes& sizes, Workings& workings, bool at_once) {
   const auto solve = [&](WorkedSide& side, const char* name) {
-    side.pass = dual_pass(*side.complex, workings.sizes_of(side));
+    side.pass = dual_pass(*side.complex, GridSizes(*side.complex, *workings.edges, sizes));
     if (!labels_are_consistent(*side.complex, side.pass))
       throw SelfCheckFailed(std::string("the labels ") + name +
                             " do not sum to zero round an edge");
@@ -164,8 +165,8 @@ std::uint64_t count_volume_triangles(const VoxelSides& sides, const EdgeIndex& e
          fan_triangle_count(GridComplex(sides, edges, Side::outside));
 }
 
-std::vector<Loop> found_on(const Workings& workings, const WorkedSide& side,
-                           std::span<const std::uint32_t> closest) {
+SearchedLoops found_on(const Workings& workings, const WorkedSide& side,
+                       std::span<const std::uint32_t> closest) {
   const std::vector<Curve> starts = starts_near(*side.complex, side.pass.killing, closest);
   return loops_of_side(
       workings.analysis.surface, workings.classes,
@@ -177,20 +178,29 @@ std::vector<Loop> joined(std::vector<Loop> handles, std::vector<Loop> tunnels) {
   return handles;
 }
 
-std::vector<Loop> found_loops(const Workings& workings, Engine engine,
-                              std::span<const std::uint32_t> closest) {
+struct LoopsAsFound {
+  std::vector<Loop> loops;
+  double slowest_seconds = 0.0;  // see StageSeconds
+};
+
+LoopsAsFound found_loops(const Workings& workings, Engine engine,
+                         std::span<const std::uint32_t> closest) {
   const Surface& surface = workings.analysis.surface;
-  if (engine == Engine::pair) return loops_of_pairs(surface, workings.analysis.pairs);
-  std::vector<Loop> inside = found_on(workings, workings.inside, closest);
-  std::vector<Loop> outside = found_on(workings, workings.outside, closest);
-  return surface.boundary == Boundary::open ? merged_by_size(std::move(inside), std::move(outside))
-                                            : joined(std::move(inside), std::move(outside));
+  if (engine == Engine::pair) return {loops_of_pairs(surface, workings.analysis.pairs)};
+  SearchedLoops inside = found_on(workings, workings.inside, closest);
+  SearchedLoops outside = found_on(workings, workings.outside, closest);
+  inside.seconds.insert(inside.seconds.end(), outside.seconds.begin(), outside.seconds.end());
+  const bool open = surface.boundary == Boundary::open;
+  return {open ? merged_by_size(std::move(inside.loops), std::move(outside.loops))
+               : joined(std::move(inside.loops), std::move(outside.loops)),
+          slowest_hundredth(std::move(inside.seconds))};
 }
 
 struct ProvedLoops {
   std::vector<Loop> loops;
   double least_handle_length = 0.0;  // see Analysis
   double least_tunnel_length = 0.0;
+  double slowest_seconds = 0.0;  // see StageSeconds
 };
 
 /// The loops of both sides, certified and tightened as the options say.
@@ -198,8 +208,10 @@ ProvedLoops proved_loops(const Workings& workings, const AnalysisOptions& option
                          std::span<const std::uint32_t> closest) {
   const Surface& surface = workings.analysis.surface;
   const SurfaceClasses& classes = workings.classes;
+  LoopsAsFound found = found_loops(workings, options.engine, closest);
   ProvedLoops proved;
-  proved.loops = certified(surface, classes, found_loops(workings, options.engine, closest));
+  proved.slowest_seconds = found.slowest_seconds;
+  proved.loops = certified(surface, classes, std::move(found.loops));
   if (options.tighten != Tighten::none && surface.boundary == Boundary::closed) {
     const SideLoops handles{loops_of_kind(proved.loops, LoopKind::handle),
                             workings.inside.border_classes};
@@ -260,31 +272,33 @@ Workings work_out_loops(const AnyGridView& grid, const IsoLevel& level,
     return closest_surface_vertices(sides, edges, surface);
   });
   const int size_searches = room.size_searches();
-  workings.sizes = clock.run("sizes", 0.1, seconds.sizes, [&] {
+  auto sizes = clock.run("sizes", 0.1, seconds.sizes, [&] {
     return with_threads(size_searches, [&] {
       return std::make_unique<EdgeSizes>(
           geodesic_sizes(sides, edges, surface, closest, options.geodesic));
     });
   });
-  const Room::Passes passes = room.passes(workings.sizes->by_edge.bytes());
-  const int loop_searches = room.loop_searches(workings.sizes->by_edge.bytes());
+  const Room::Passes passes = room.passes(sizes->by_edge.bytes());
+  const int loop_searches = room.loop_searches();
   for (const Side side : {Side::inside, Side::outside})
     (side == Side::inside ? workings.inside : workings.outside).complex =
         std::make_unique<GridComplex>(sides, edges, side);
   const GridComplex& inside = *workings.inside.complex;
   const GridComplex& outside = *workings.outside.complex;
   clock.run("pass", 0.5, seconds.pass, [&] {
-    with_threads(passes.threads, [&] { run_passes(surface, workings, passes.both_sides_at_once); });
+    with_threads(passes.threads,
+                 [&] { run_passes(surface, *sizes, workings, passes.both_sides_at_once); });
     return true;
   });
   if (options.engine == Engine::pair)
     analysis.pairs = clock.run("pair", 0.7, seconds.pair, [&] {
       std::vector<SurfacePair> pairs =
-          pair_simplices(surface, SizedSide{inside, workings.sizes_of(workings.inside)},
-                         SizedSide{outside, workings.sizes_of(workings.outside)}, options.pair);
+          pair_simplices(surface, SizedSide{inside, GridSizes(inside, edges, *sizes)},
+                         SizedSide{outside, GridSizes(outside, edges, *sizes)}, options.pair);
       if (orders_by_size(options.pair.refinement)) check_engines_agree(pairs, workings);
       return pairs;
     });
+  sizes.reset();
   ProvedLoops proved = clock.run("loops", 0.8, seconds.loops, [&] {
     workings.classes = surface.boundary == Boundary::open
                            ? surface_classes(surface)
@@ -294,6 +308,7 @@ Workings work_out_loops(const AnyGridView& grid, const IsoLevel& level,
     workings.outside = with_borders(surface, workings.classes, std::move(workings.outside));
     return with_threads(loop_searches, [&] { return proved_loops(workings, options, closest); });
   });
+  seconds.slowest_loops = proved.slowest_seconds;
   analysis.loops = std::move(proved.loops);
   analysis.least_handle_length = proved.least_handle_length;
   analysis.least_tunnel_length = proved.least_tunnel_length;

@@ -5,7 +5,6 @@
 
 #include "core/analysis/analysis.h"
 #include "core/complex/grid_complex.h"
-#include "core/complex/grid_sizes.h"
 #include "core/cube/voxel_sides.h"
 #include "core/engines/dual_pass.h"
 #include "core/loops/certificate.h"
@@ -24,20 +23,17 @@ struct WorkedSide {
   Z2Basis border_classes;
 };
 
-/// An analysis and all that it was made with, for what goes on from the loops. Where M has no loops
-/// there are no complexes. VoxelSides, edges and sizes stay where they are: the complexes refer to
-/// them.
+/// Where M has no loops there are no complexes. VoxelSides and edges stay where they are: the
+/// complexes refer to them.
 struct Workings {
   std::unique_ptr<const VoxelSides> sides;
   std::unique_ptr<const EdgeIndex> edges;
-  std::unique_ptr<const EdgeSizes> sizes;
   WorkedSide inside;
   WorkedSide outside;
   SurfaceClasses classes;
   Analysis analysis;
 
   const WorkedSide& on(Side side) const { return side == Side::inside ? inside : outside; }
-  GridSizes sizes_of(const WorkedSide& side) const { return {*side.complex, *edges, *sizes}; }
 };
 
 /// analyze(), with its workings.

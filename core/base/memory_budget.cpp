@@ -59,12 +59,12 @@ std::uint64_t pass_bytes(std::uint64_t lattice, std::uint64_t surface, std::uint
   return (13 + 12 * sides_at_once) * lattice / 2 + 130 * surface + sizes;
 }
 
-std::uint64_t loops_bytes(std::uint64_t lattice, std::uint64_t surface, std::uint64_t sizes) {
-  return 17 * lattice + 174 * surface + sizes;
+std::uint64_t loops_bytes(std::uint64_t lattice, std::uint64_t surface) {
+  return 17 * lattice + 174 * surface;
 }
 
-std::uint64_t held_bytes(std::uint64_t lattice, std::uint64_t surface, std::uint64_t sizes) {
-  return 5 * lattice / 2 + 200 * surface + sizes;
+std::uint64_t held_bytes(std::uint64_t lattice, std::uint64_t surface) {
+  return 5 * lattice / 2 + 200 * surface;
 }
 
 std::uint64_t remaining_bytes(std::uint64_t limit, std::uint64_t held) {

@@ -29,11 +29,10 @@ std::uint64_t closest_bytes(std::uint64_t lattice, std::uint64_t surface);
 std::uint64_t sizes_bytes(std::uint64_t lattice, std::uint64_t surface);  // but for searches
 std::uint64_t pass_bytes(std::uint64_t lattice, std::uint64_t surface, std::uint64_t sizes,
                          std::uint64_t sides_at_once);  // but for the slabs of largest_forest()
-std::uint64_t loops_bytes(std::uint64_t lattice, std::uint64_t surface,
-                          std::uint64_t sizes);  // but for searches
+std::uint64_t loops_bytes(std::uint64_t lattice, std::uint64_t surface);  // but for searches
 
 /// Bytes that an analysis holds once it is made.
-std::uint64_t held_bytes(std::uint64_t lattice, std::uint64_t surface, std::uint64_t sizes);
+std::uint64_t held_bytes(std::uint64_t lattice, std::uint64_t surface);
 
 /// What is left of `limit` beside `held` bytes; unlimited_bytes remains.
 std::uint64_t remaining_bytes(std::uint64_t limit, std::uint64_t held);

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ctime>
+#include <functional>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -28,6 +31,13 @@ constexpr std::size_t edges_per_band = 16;      // of a curve, to one edge of th
 constexpr std::size_t least_band = 2;           // edges, likewise
 constexpr std::uint64_t settled_nearby = 3000;  // paths, by a search near a killing piece
 constexpr std::uint64_t settled_per_edge_squared = 2;  // paths, by one that goes farther
+
+/// CPU time of the calling thread so far; a look at it takes less than a microsecond.
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 Vec3 center_of(const Surface& surface, const Loop& loop) {
   Vec3 sum{};
@@ -218,21 +228,31 @@ std::vector<std::vector<Vec3>> drawn_curves(const SurfaceMesh& surface, const Lo
   return drawn;
 }
 
-std::vector<Loop> loops_of_side(const Surface& surface, const SurfaceClasses& classes,
-                                const KilledOnSide& killed) {
+SearchedLoops loops_of_side(const Surface& surface, const SurfaceClasses& classes,
+                            const KilledOnSide& killed) {
   const LoopFinder finder(surface, classes, killed);
-  std::vector<Loop> loops(killed.killing.size());
+  const std::size_t count = killed.killing.size();
+  SearchedLoops found{std::vector<Loop>(count), std::vector<double>(count)};
   const Side seen_from = side_of(kind_on(surface.boundary, killed.side));
   PerThread<LoopSearch> searches;
   // Large sizes search far: taken first and one by one, they do not wait at the end.
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, loops.size(), 1), [&](const auto& range) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1), [&](const auto& range) {
     LoopSearch& search = searches.local([&] { return LoopSearch(surface, classes, seen_from); });
     for (std::size_t k = range.begin(); k < range.end(); ++k) {
-      const std::size_t i = loops.size() - 1 - k;
-      loops[i] = finder.find(static_cast<std::uint32_t>(i), search);
+      const std::size_t i = count - 1 - k;
+      const double start = thread_seconds();
+      found.loops[i] = finder.find(static_cast<std::uint32_t>(i), search);
+      found.seconds[i] = thread_seconds() - start;
     }
   });
-  return loops;
+  return found;
+}
+
+double slowest_hundredth(std::vector<double> seconds) {
+  const std::size_t count = (seconds.size() + 99) / 100;
+  const auto end = seconds.begin() + static_cast<std::ptrdiff_t>(count);
+  std::partial_sort(seconds.begin(), end, seconds.end(), std::greater<>());
+  return std::accumulate(seconds.begin(), end, 0.0);
 }
 
 std::vector<Loop> merged_by_size(std::vector<Loop> inside, std::vector<Loop> outside) {

@@ -64,15 +64,24 @@ struct KilledOnSide {
   const Z2Basis& border_classes;
 };
 
+struct SearchedLoops {
+  std::vector<Loop> loops;
+  std::vector<double> seconds;  // CPU time of the search for each, in their order
+};
+
 /// The loops of kind_on(surface.boundary, side) that bound on `side`, one for each killing piece,
 /// by size: loop i is born on M, is trivial on this side from killing piece i on and not before.
 /// Close to the shortest such loop near the piece; where no single closed curve will do (it takes
 /// two on nested tori), the border of the surface that the labels span, each curve tightened.
-std::vector<Loop> loops_of_side(const Surface& surface, const SurfaceClasses& classes,
-                                const KilledOnSide& killed);
+SearchedLoops loops_of_side(const Surface& surface, const SurfaceClasses& classes,
+                            const KilledOnSide& killed);
 
 /// Those of one kind; `loops`: by kind.
 std::span<const Loop> loops_of_kind(std::span<const Loop> loops, LoopKind kind);
+
+/// CPU seconds of the slowest hundredth of searches, rounded up to whole ones, that took `seconds`
+/// each: what a few loops have of the whole.
+double slowest_hundredth(std::vector<double> seconds);
 
 /// Puts the loops of two sides that are not told apart in one order, by size, and numbers them.
 std::vector<Loop> merged_by_size(std::vector<Loop> inside, std::vector<Loop> outside);

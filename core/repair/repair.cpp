@@ -209,10 +209,9 @@ class Repairer {
   /// The same for the next one: this one, what is kept of the first, and what looked for membranes
   /// on both sides stay meanwhile.
   std::uint64_t room_beside_now() const {
-    const std::uint64_t sizes = now_.sizes ? now_.sizes->by_edge.bytes() : 0;
     const std::uint64_t now =
-        held_bytes(now_.sides->lattice.vertex_count(), now_.analysis.surface.points.size(), sizes);
-    const std::uint64_t first = held_bytes(0, repair_.before.surface.points.size(), 0);
+        held_bytes(now_.sides->lattice.vertex_count(), now_.analysis.surface.points.size());
+    const std::uint64_t first = held_bytes(0, repair_.before.surface.points.size());
     const std::uint64_t finders = std::uint64_t{16} * now_.sides->lattice.vertex_count();
     return remaining_bytes(room_beside_voxels(), now + first + finders);
   }

@@ -213,7 +213,8 @@ class Scanner {
     for (int i = 0; i < 4; ++i) values[i] = value_at(ring[i]);
     const auto joined = [&](Step step) {
       std::array<double, 4> levels{};
-      for (int i = 0; i < 4; ++i) levels[i] = level_of(values[i], level_at(step));
+      for (int i = 0; i < 4; ++i)
+        levels[i] = deciding_level(level_of(values[i], level_at(step)), options_.topology);
       return inside_is_joined(levels);
     };
     Steps found{steps.first, steps.last};

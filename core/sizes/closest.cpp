@@ -112,7 +112,8 @@ void seed_along_x(const CutLattice& cut, std::uint32_t z, Field& layer) {
 /// The same along y; `front`: a row of scratch space.
 void seed_along_y(const CutLattice& cut, std::uint32_t z, Front& front, Field& layer) {
   layer.clear();
-  const auto& [nx, ny, nz] = cut.lattice.dims;
+  const std::uint32_t nx = cut.lattice.dims[0];
+  const std::uint32_t ny = cut.lattice.dims[1];
   const double h = cut.surface.spacing[1];
   const auto pass_edges = [&](std::uint32_t y) {
     const std::uint32_t first = cut.lattice.vertex(0, y, z);
@@ -293,14 +294,16 @@ void spread_along_y(const CutLattice& cut, Field& layer, std::vector<Line>& line
 }
 
 void spread_along_z(const CutLattice& cut, Field& field) {
-  const auto& [nx, ny, nz] = cut.lattice.dims;
-  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, ny), [&](const auto& range) {
-    std::vector<Line> lines(lines_at_once, Line(nz));
-    for (std::uint32_t y = range.begin(); y < range.end(); ++y)
-      for (std::uint32_t x = 0; x < nx; x += lines_at_once)
-        spread(field, std::size_t{y} * nx + x, cut.lattice.stride[2],
-               std::min(lines_at_once, nx - x), 1, cut.surface.spacing[2], lines);
-  });
+  const std::uint32_t nx = cut.lattice.dims[0];
+  const std::uint32_t nz = cut.lattice.dims[2];
+  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, cut.lattice.dims[1]),
+                    [&](const auto& range) {
+                      std::vector<Line> lines(lines_at_once, Line(nz));
+                      for (std::uint32_t y = range.begin(); y < range.end(); ++y)
+                        for (std::uint32_t x = 0; x < nx; x += lines_at_once)
+                          spread(field, std::size_t{y} * nx + x, cut.lattice.stride[2],
+                                 std::min(lines_at_once, nx - x), 1, cut.surface.spacing[2], lines);
+                    });
 }
 
 /// Calls body(first, last, space) for the layers from first to last, itself not included; a few

@@ -225,10 +225,12 @@ std::vector<float> pair_lengths(const Surface& surface, const VertexPairs& pairs
   search_pairs(surface.graph, level.centers, pairs, searched, voxel / 2, lengths);
   int levels = 0;
   std::vector<OpenPair> open = open_pairs(pairs, lengths);
+  const EdgeGraph* neighbors = &surface.graph;
   for (double block = 2 * voxel; !open.empty(); block *= 2) {
     if (++levels > most_levels)
       throw SelfCheckFailed("sizes are still unknown where clusters are as large as the volume");
-    level = coarser_level(level);
+    level = coarser_level(level, *neighbors);
+    neighbors = &level.neighbors;
     open = search_level(surface, level, searched, block, std::move(open), lengths);
     searched = level_radius * block;
   }

@@ -30,7 +30,8 @@ EdgeGraph graph_of(const CompressedRows& targets, const std::vector<Vec3>& cente
 }
 
 /// Joins neighbours whose blocks are equal once halved; numbers the results by their least member.
-std::vector<std::uint32_t> parents(const ClusterLevel& level, std::uint32_t& count) {
+std::vector<std::uint32_t> parents(const ClusterLevel& level, const EdgeGraph& neighbors,
+                                   std::uint32_t& count) {
   const auto clusters = static_cast<std::uint32_t>(level.centers.size());
   const auto halved = [&](std::uint32_t c) {
     const auto& b = level.blocks[c];
@@ -38,7 +39,7 @@ std::vector<std::uint32_t> parents(const ClusterLevel& level, std::uint32_t& cou
   };
   DisjointSets sets(clusters);
   tbb::parallel_for(std::uint32_t{0}, clusters, [&](std::uint32_t c) {
-    level.neighbors.for_each_out_edge(c, [&](std::uint32_t next, std::uint32_t) {
+    neighbors.for_each_out_edge(c, [&](std::uint32_t next, std::uint32_t) {
       if (next > c && halved(c) == halved(next)) sets.unite_shared(c, next);
     });
   });
@@ -96,13 +97,12 @@ ClusterLevel finest_level(const Surface& surface) {
       level.blocks[v][a] =
           static_cast<std::int32_t>(std::floor(surface.points[v][a] * blocks_per_voxel[a]));
   });
-  level.neighbors = surface.graph;
   return level;
 }
 
-ClusterLevel coarser_level(const ClusterLevel& level) {
+ClusterLevel coarser_level(const ClusterLevel& level, const EdgeGraph& neighbors) {
   std::uint32_t count = 0;
-  const std::vector<std::uint32_t> parent = parents(level, count);
+  const std::vector<std::uint32_t> parent = parents(level, neighbors, count);
   ClusterLevel coarse;
   coarse.centers.resize(count);
   coarse.sizes.resize(count);
@@ -121,7 +121,7 @@ ClusterLevel coarser_level(const ClusterLevel& level) {
   tbb::parallel_for(std::size_t{0}, coarse.cluster_of_vertex.size(), [&](std::size_t v) {
     coarse.cluster_of_vertex[v] = parent[level.cluster_of_vertex[v]];
   });
-  coarse.neighbors = graph_of(neighbors_of(level.neighbors, parent, count), coarse.centers);
+  coarse.neighbors = graph_of(neighbors_of(neighbors, parent, count), coarse.centers);
   return coarse;
 }
 

@@ -26,10 +26,11 @@ struct ClusterLevel {
   EdgeGraph neighbors;  // clusters joined by an edge of M; lengths between centers
 };
 
-/// Level 0: each vertex of M is a cluster.
+/// Level 0: each vertex of M is a cluster. Its neighbors are M's graph, of which it has no copy.
 ClusterLevel finest_level(const Surface& surface);
 
 /// The next level: neighbours that fall into one block of twice the side become one cluster.
-ClusterLevel coarser_level(const ClusterLevel& level);
+/// `neighbors`: those of `level`.
+ClusterLevel coarser_level(const ClusterLevel& level, const EdgeGraph& neighbors);
 
 }  // namespace isoloop

@@ -18,7 +18,7 @@ constexpr int most_rounds = 8;
 constexpr std::uint64_t least_settled = 1000;  // paths, by a first search from one of each
 constexpr std::uint64_t farther = 4;           // times as many, by the next one
 constexpr double share_of_a_round = 0.2;       // of the effort, for those that go farther
-constexpr double least_farther = 8.0;           // of these, while the effort lasts
+constexpr double least_farther = 8.0;          // of these, while the effort lasts
 
 /// A loop of the other kind, as what this side's loops have to cross.
 struct Crossed {
@@ -154,7 +154,9 @@ class Shortening {
     std::vector<Searched> done;
     std::vector<bool> is_open(crossed_.size(), true);
     const double share = left_ * share_of_a_round;
-    for (std::uint64_t settled = least_settled; left_ > 0.0; settled *= farther) {
+    // Ends: a search that may take all that is left is too far for any.
+    for (std::uint64_t settled = least_settled; static_cast<double>(settled) <= left_;
+         settled *= farther) {
       const std::vector<double> longest = replaceable(exchange_.members(), crossed_);
       std::vector<std::uint32_t> open;
       for (std::uint32_t j = 0; j < crossed_.size(); ++j)
@@ -167,7 +169,6 @@ class Shortening {
         const double affordable = std::max(share / each, std::min(least_farther, left_ / each));
         open.resize(std::min(open.size(), static_cast<std::size_t>(affordable)));
       }
-      if (open.empty()) break;  // or none is affordable, which ends the rounds
       search_from_first(open, longest, settled, is_open, done);
     }
     return done;

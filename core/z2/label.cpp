@@ -50,8 +50,8 @@ std::uint32_t LabelPool::sum_of_distinct(std::uint32_t a, std::uint32_t b) {
 }
 
 void SparseLabels::relabel(std::span<const std::uint32_t> map) {
-  for (auto& page : pages_)
-    for (std::uint32_t& label : page) label = map[label];
+  for (auto& chunk : chunks_)
+    for (std::uint32_t& label : chunk) label = map[label];
 }
 
 }  // namespace isoloop

@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 namespace isoloop {
@@ -46,47 +47,68 @@ class LabelPool {
   std::unordered_map<std::uint64_t, std::uint32_t> sums_;          // by lesser << 32 | greater
 };
 
-/// A number for each piece, zero for most; pages of zeros are not stored.
+/// A number for each piece, zero for most. Pages of 64 are stored where one is not zero: the pieces
+/// of a surface are few in each.
 class SparseLabels {
  public:
   explicit SparseLabels(std::uint32_t bound) : pages_((std::size_t{bound} >> page_bits) + 1) {}
 
   std::uint32_t operator[](std::uint32_t piece) const {
-    const auto& page = pages_[piece >> page_bits];
-    return page.empty() ? 0 : page[piece & page_mask];
+    const std::uint32_t page = pages_[piece >> page_bits];
+    return page == 0 ? 0 : page_at(page)[piece & page_mask];
   }
 
   void set(std::uint32_t piece, std::uint32_t label) {
-    auto& page = pages_[piece >> page_bits];
-    if (page.empty()) page.resize(std::size_t{1} << page_bits);
-    page[piece & page_mask] = label;
+    std::uint32_t& page = pages_[piece >> page_bits];
+    if (page == 0) {
+      if (used_ % chunk_pages == 0) chunks_.emplace_back(chunk_pages << page_bits);
+      page = ++used_;
+    }
+    chunks_[(page - 1) / chunk_pages][first_in_chunk(page) + (piece & page_mask)] = label;
   }
 
   /// Calls visit(piece, label) for every label that is not zero, ascending by piece.
   template <class Visit>
   void for_each(const Visit& visit) const {
-    for (std::size_t p = 0; p < pages_.size(); ++p) visit_page(p, visit);
+    visit_pages(0, pages_.size(), visit);
   }
 
   /// The same from many threads at once, in any order.
   template <class Visit>
   void for_each_shared(const Visit& visit) const {
-    tbb::parallel_for(std::size_t{0}, pages_.size(), [&](std::size_t p) { visit_page(p, visit); });
+    const tbb::blocked_range<std::size_t> all(0, pages_.size(), 64);
+    tbb::parallel_for(all,
+                      [&](const auto& range) { visit_pages(range.begin(), range.end(), visit); });
   }
 
-  /// Replaces every label by map[label].
+  /// Replaces every label by map[label]; map[0] is 0.
   void relabel(std::span<const std::uint32_t> map);
 
  private:
-  template <class Visit>
-  void visit_page(std::size_t p, const Visit& visit) const {
-    for (std::size_t i = 0; i < pages_[p].size(); ++i)
-      if (pages_[p][i] != 0) visit(static_cast<std::uint32_t>(p << page_bits | i), pages_[p][i]);
+  static constexpr std::uint32_t page_bits = 6;
+  static constexpr std::uint32_t page_mask = (1U << page_bits) - 1;
+  static constexpr std::uint32_t chunk_pages = 256;
+
+  static std::uint32_t first_in_chunk(std::uint32_t page) {
+    return (page - 1) % chunk_pages << page_bits;
+  }
+  const std::uint32_t* page_at(std::uint32_t page) const {
+    return chunks_[(page - 1) / chunk_pages].data() + first_in_chunk(page);
   }
 
-  static constexpr std::uint32_t page_bits = 10;
-  static constexpr std::uint32_t page_mask = (1U << page_bits) - 1;
-  std::vector<std::vector<std::uint32_t>> pages_;
+  template <class Visit>
+  void visit_pages(std::size_t begin, std::size_t end, const Visit& visit) const {
+    for (std::size_t p = begin; p < end; ++p) {
+      if (pages_[p] == 0) continue;
+      const std::uint32_t* const labels = page_at(pages_[p]);
+      for (std::uint32_t i = 0; i <= page_mask; ++i)
+        if (labels[i] != 0) visit(static_cast<std::uint32_t>(p << page_bits | i), labels[i]);
+    }
+  }
+
+  std::vector<std::uint32_t> pages_;  // by piece: the number of the page from 1 on, or 0
+  std::uint32_t used_ = 0;            // pages
+  std::vector<std::vector<std::uint32_t>> chunks_;  // of pages: none ever moves
 };
 
 }  // namespace isoloop

@@ -3,7 +3,7 @@
 
     tests/bench/report.py RUNS.csv [--plot PLOT.svg]
 
-Medians over repeated runs. Needs python3-matplotlib for the plot."""
+Stages are CPU seconds. Needs python3-matplotlib for the plot."""
 
 import argparse
 import collections
@@ -13,19 +13,23 @@ import statistics
 
 STAGES = ["surface", "closest", "sizes", "pass", "loops"]
 GIB = 2.0 ** 30
+LEAST_GENUS = 100  # of what the table of growth with genus shows
 
 
 def medians(path):
-    """(volume, size, program, threads) to a row of medians, in the order of the file."""
+    """(volume, size, program, threads) to a row of medians, in the order of the file. What failed
+    is left out."""
     runs = collections.defaultdict(list)
     with open(path, newline="") as file:
         for row in csv.DictReader(file):
+            if row["cpu_s"] == "":
+                continue
             key = (row["volume"], int(row["size"]), row["program"], int(row["threads"]))
             runs[key].append(row)
     merged = {}
     for key, rows in runs.items():
         merged[key] = dict(rows[0])
-        for column in ("cpu_s", "wall_s", "peak_bytes", *STAGES):
+        for column in ("cpu_s", "wall_s", "peak_bytes", "slowest_s", *STAGES):
             values = [float(row[column]) for row in rows if row[column] != ""]
             if values:
                 merged[key][column] = statistics.median(values)
@@ -46,7 +50,7 @@ def print_runs(rows):
     for (volume, size, program, used), row in rows.items():
         if program != "isoloop loops" or used != 1:
             continue
-        count = rows[volume, size, "isoloop count", threads]
+        count = next(r for k, r in rows.items() if k[:3] == (volume, size, "isoloop count"))
         all_cores = rows.get((volume, size, program, threads))
         peak = float((all_cores or row)["peak_bytes"])
         lines.append([volume, str(size), row["genus"], f"{count['cpu_s']:.2f}",
@@ -66,6 +70,8 @@ def print_growth(rows):
         if program == "isoloop loops" and threads == 1:
             by_volume[volume].append((size, int(row["voxels"]), row["cpu_s"]))
     for volume, points in by_volume.items():
+        if volume == "noise":
+            continue  # its genus grows with it: the next table
         for (size_a, voxels_a, cpu_a), (size_b, voxels_b, cpu_b) in zip(points, points[1:]):
             exponent = math.log(cpu_b / cpu_a) / math.log(voxels_b / voxels_a)
             lines.append([volume, f"{size_a} to {size_b}", f"{voxels_b / voxels_a:.2f}",
@@ -74,13 +80,37 @@ def print_growth(rows):
           lines)
 
 
+def print_genus(rows):
+    """What loops cost by their number, on one thread, and by which power of the genus that grows
+    from the row before of the same volume."""
+    lines = []
+    before = {}
+    for (volume, size, program, threads), row in rows.items():
+        if program != "isoloop loops" or threads != 1 or int(row["genus"]) < LEAST_GENUS:
+            continue
+        genus = int(row["genus"])
+        exponent = "-"
+        smaller, cpu = before.get(volume, (genus, None))
+        if smaller < genus:
+            exponent = f"{math.log(row['loops'] / cpu) / math.log(genus / smaller):.2f}"
+        before[volume] = (genus, row["loops"])
+        lines.append([volume, str(size), str(genus), row["triangles"], f"{row['cpu_s']:.2f}",
+                      f"{row['loops']:.2f}", f"{500.0 * row['loops'] / genus:.2f}", exponent,
+                      f"{100.0 * row['slowest_s'] / row['loops']:.0f} %",
+                      f"{float(row['peak_bytes']) / GIB:.2f}"])
+    table(["volume", "size", "genus", "triangles", "CPU s", "loops s", "ms a loop",
+           "exponent over genus", "slowest hundredth", "peak GiB"], lines)
+
+
 def print_rivals(rows):
     lines = []
     for (volume, size, program, _), row in rows.items():
         if program.startswith("isoloop"):
             continue
         own_name = "isoloop loops" if program in ("gudhi", "phat") else "isoloop count"
-        own = next(r for k, r in rows.items() if k[:3] == (volume, size, own_name))
+        own = next((r for k, r in rows.items() if k[:3] == (volume, size, own_name)), None)
+        if own is None:
+            continue  # it failed
         lines.append([volume, str(size), program, f"{row['cpu_s']:.2f}", own_name,
                       f"{own['cpu_s']:.2f}", f"{row['cpu_s'] / own['cpu_s']:.2f}",
                       f"{float(row['peak_bytes']) / float(own['peak_bytes']):.1f}"])
@@ -117,6 +147,7 @@ def main():
     rows = medians(arguments.runs)
     print_runs(rows)
     print_growth(rows)
+    print_genus(rows)
     if any(not key[2].startswith("isoloop") for key in rows):
         print_rivals(rows)
     if arguments.plot:

@@ -344,7 +344,6 @@ TEST_F(CommandLine, PageAndExportsStandBesideTheTable) {
   for (const char* file : {"c.obj", "c.vtp", "s.stl"}) EXPECT_FALSE(scratch_.read(file).empty());
   expect_failure(with({"loops"}, {"--curves", "c.txt"}), 2, ".vtp, .obj and .mrk.json");
   expect_failure(with({"loops"}, {"--surface", "s.mrk.json"}), 2, ".ply, .obj, .stl and .vtp");
-  expect_failure(with({"view"}, {}), 2, "--output");
 }
 
 TEST_F(CommandLine, ProgressAsJsonIsAnObjectALineAndSoIsAnError) {
@@ -355,7 +354,7 @@ TEST_F(CommandLine, ProgressAsJsonIsAnObjectALineAndSoIsAnError) {
   std::string stages;
   for (std::string line; std::getline(lines, line);)
     stages += Json::parse(line).at("stage").get<std::string>() + ' ';
-  EXPECT_EQ(stages, "surface closest sizes pass loops ");
+  EXPECT_EQ(stages, "surface closest sizes pass loops checks ");
   const ProcessResult missing = run({"count", "none.raw", "--iso", "1", "--log-json"});
   EXPECT_EQ(missing.exit_code, 3);
   EXPECT_EQ(Json::parse(missing.err).at("event"), "error");

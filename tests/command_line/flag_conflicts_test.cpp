@@ -23,7 +23,7 @@ class FlagConflicts : public CommandLine {
 
 TEST_F(FlagConflicts, LabelsHaveNoIsoValue) {
   for (const char* command : {"count", "loops"})
-    expect_refusal({command, ring_, "--label", "1", "--iso", "1"},
+    expect_refusal({command, ring_, "--iso", "1", "--label", "1"},
                    "--iso does not go with --label");
   expect_refusal({"view", ring_, "--label", "1", "--iso", "1", "-o", "p.html"}, "--label");
   expect_refusal({"repair", ring_, "--label", "1", "--iso", "1", "--genus", "0", "--dry-run"},

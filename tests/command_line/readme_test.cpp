@@ -130,8 +130,9 @@ std::set<std::string> flags_in(const std::string& text) {
 TEST(Manual, ExplainsEveryFlagAndNoOther) {
   const ScratchDirectory scratch;
   std::string help;
-  for (const char* command : {"info", "count", "scan", "loops", "view", "repair", "generate"})
-    help += run_isoloop(scratch.path(), {command, "-h"}).out;
+  for (const char* command :
+       {"info", "count", "scan", "loops", "view", "repair", "generate", "bench"})
+    help += run_isoloop(scratch.path(), {command, "--help-all"}).out;
   help += run_isoloop(scratch.path(), {"-h"}).out;
   std::set<std::string> known = flags_in(help);
   const std::set<std::string> explained = flags_in(manual());
@@ -179,9 +180,14 @@ TEST(Manual, ExplainsEveryFieldOfTheJsonAndEveryColumnOfTheTables) {
                                    "t.json", "--csv", "t.csv", "--dump-pairs", "pairs.csv"})
           .exit_code,
       0);
+  ASSERT_EQ(run_isoloop(scratch.path(), {"bench", "--shapes", "torus,engine_block", "--sizes",
+                                         "24,32", "--json", "b.json", "--csv", "b.csv"})
+                .exit_code,
+            0);
   std::set<std::string> fields;
   collect_keys(Json::parse(scratch.read("t.json")), fields);
-  for (const char* table : {"t.csv", "pairs.csv"})
+  collect_keys(Json::parse(scratch.read("b.json")), fields);
+  for (const char* table : {"t.csv", "pairs.csv", "b.csv"})
     for (const std::string& column : split(split(scratch.read(table), '\n')[0], ','))
       fields.insert(column);
   const std::string text = manual();

@@ -7,12 +7,16 @@
 #include <CLI/CLI.hpp>
 
 #include "core/base/errors.h"
+#include "tools/commands/bench_command.h"
 #include "tools/commands/count_command.h"
 #include "tools/commands/generate_command.h"
 #include "tools/commands/info_command.h"
 #include "tools/commands/loops_command.h"
+#include "tools/commands/measure_command.h"
+#include "tools/commands/overview_command.h"
 #include "tools/commands/repair_command.h"
 #include "tools/commands/scan_command.h"
+#include "tools/commands/typed_words.h"
 #include "tools/commands/view_command.h"
 #include "tools/flags/input_flags.h"
 #include "tools/runs/output_files.h"
@@ -21,30 +25,27 @@
 namespace isoloop {
 namespace {
 
-// CLI11 says of "isoloop lops" only that a subcommand is missing.
-void check_command(const CLI::App& app, const std::vector<std::string>& arguments) {
-  if (arguments.empty() || arguments[0].starts_with('-')) return;
-  std::string names;
-  for (const CLI::App* command : app.get_subcommands({})) {
-    if (command->get_name() == arguments[0]) return;
-    names += (names.empty() ? "" : ", ") + command->get_name();
-  }
-  throw InvalidArgument(arguments[0] + " is no command; the commands are " + names +
-                        " (see isoloop -h)");
+std::vector<std::string> names_of(const CLI::App& app, bool hidden_ones) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({}))
+    if (hidden_ones || !command->get_group().empty()) names.push_back(command->get_name());
+  return names;
 }
 
-void parse_and_run(const std::vector<std::string>& arguments) {
+void parse_and_run(const std::vector<std::string>& typed) {
   CLI::App app(
       "isoloop finds, proves and measures the handle loops and tunnel loops of an "
       "iso-surface in a volume.");
   app.name("isoloop");
   app.require_subcommand(1);
+  app.set_help_all_flag("--help-all", "print this help with the flags that few need");
   app.set_version_flag("--version", "isoloop " ISOLOOP_VERSION);
   app.footer(
       "Examples:\n"
       "  isoloop generate engine_block --size 128 -o block.vdb\n"
       "  isoloop loops block.vdb --ply loops.ply\n"
       "  isoloop count engine_256x256x128_uint8.raw --iso 70\n"
+      "isoloop FILE says what a file holds, counts, and what to type next.\n"
       "isoloop COMMAND -h explains a command.\n"
       "Exit codes: 0 done, 2 usage, 3 unreadable input, 4 over a limit, 5 self-check failed.");
   add_info_command(app);
@@ -54,7 +55,20 @@ void parse_and_run(const std::vector<std::string>& arguments) {
   add_view_command(app);
   add_repair_command(app);
   add_generate_command(app);
-  check_command(app, arguments);
+  add_bench_command(app);
+  add_measure_command(app);
+  add_overview_command(app, typed);
+  const std::vector<std::string> names = names_of(app, true);
+  std::vector<std::string> arguments = understood(typed, names);
+  check_command(arguments, names, names_of(app, false));
+  const auto has = [&](const char* word) {
+    return std::find(arguments.begin(), arguments.end(), word) != arguments.end();
+  };
+  if (has("-h") || has("--help") || has("--help-all")) group_rare_flags(app, has("--help-all"));
+  if (!arguments[0].starts_with('-') && arguments.back() == "--help-all")
+    arguments.back() = "--help";
+  if (!arguments[0].starts_with('-'))
+    check_flags_are_known(arguments, *app.get_subcommand(arguments[0]));
 
   std::vector<std::string> reversed = tie_numbers_to_flags(arguments);
   std::reverse(reversed.begin(), reversed.end());  // as CLI11 wants them

@@ -6,8 +6,12 @@
 #include <CLI/CLI.hpp>
 
 #include "core/base/errors.h"
+#include "core/base/threads.h"
+#include "tools/flags/thread_flag.h"
+#include "tools/reports/report_csv.h"
 #include "tools/reports/report_json.h"
 #include "tools/reports/report_table.h"
+#include "tools/runs/frowns.h"
 #include "tools/runs/mesh_comparison.h"
 #include "tools/runs/output_files.h"
 #include "tools/runs/read_run.h"
@@ -22,8 +26,10 @@ namespace {
 struct CountFlags {
   VolumeFlags volume;
   LevelFlags level;
+  int threads = 0;  // 0: one for each core
   ProgressFlags progress;
   std::string json;  // file, "-" or empty
+  std::string csv;   // file, "-" or empty
 };
 
 /// A mask's hint says what the flags that it names would count.
@@ -44,12 +50,15 @@ CountRun counted_run(const CountFlags& flags, const Progress& progress) {
   CountRun run{read_run(flags.volume, flags.level)};
   complete_hint(run);
   run.analysis = about_file(run.file, [&] {
-    return count_topology(view(run.volume), run.level,
-                          {.boundary = boundary_of(flags.level),
-                           .progress = progress,
-                           .max_bytes = run.cost.max_bytes});
+    return on_threads(flags.threads, [&] {
+      return count_topology(view(run.volume), run.level,
+                            {.boundary = boundary_of(flags.level),
+                             .progress = progress,
+                             .max_bytes = run.cost.max_bytes});
+    });
   });
   check_counts(run.analysis);
+  warn(run, count_warnings(run, run.analysis));
   return run;
 }
 
@@ -57,6 +66,7 @@ void count(const CountFlags& flags) {
   CountRun run;
   OutputFiles outputs(flags.volume.file);
   outputs.add("--json", flags.json, report_of(run, write_count_json));
+  outputs.add("--csv", flags.csv, report_of(run, write_count_csv));
   run_and_report<CountRun>(
       flags.progress, outputs, run,
       {.run = [&](const Progress& progress) { return counted_run(flags, progress); },
@@ -70,11 +80,17 @@ void add_count_command(CLI::App& app) {
   CLI::App& command =
       *app.add_subcommand("count", "count components, tunnels and cavities, without loops");
   auto flags = std::make_shared<CountFlags>();
-  add_volume_flags(command, flags->volume);
   add_level_flags(command, flags->level);
+  add_volume_flags(command, flags->volume);
   want_file_name(
       command.add_option("--json", flags->json, "write the counts as JSON; - is standard output")
           ->type_name("FILE|-"));
+  want_file_name(command
+                     .add_option("--csv", flags->csv,
+                                 "write one line for each component of the surface; - is standard "
+                                 "output")
+                     ->type_name("FILE|-"));
+  add_thread_flag(command, flags->threads);
   add_progress_flags(command, flags->progress);
   command.footer(
       "Examples:\n"

@@ -7,16 +7,20 @@
 #include <CLI/CLI.hpp>
 
 #include "core/base/memory_budget.h"
+#include "tools/commands/typed_words.h"
 #include "tools/flags/flag_kinds.h"
 #include "tools/flags/input_flags.h"
+#include "tools/flags/length_flag.h"
 #include "tools/reports/report_table.h"
 #include "tools/runs/mesh_comparison.h"
 #include "tools/runs/output_files.h"
 #include "tools/runs/read_run.h"
 #include "tools/words/number_text.h"
 #include "tools/words/sentence.h"
+#include "tools/words/text_rows.h"
 #include "tools/words/value_hints.h"
 #include "volume/base/memory_limit.h"
+#include "volume/formats/dicom.h"
 
 namespace isoloop {
 namespace {
@@ -37,6 +41,8 @@ std::string affine_text(const Volume& volume) {
   }
   return text;
 }
+
+}  // namespace
 
 void write_info(std::ostream& out, const VolumeFlags& flags, const Volume& volume) {
   const std::string& file = flags.file;
@@ -68,7 +74,19 @@ void write_info(std::ostream& out, const VolumeFlags& flags, const Volume& volum
   }
 }
 
-}  // namespace
+bool write_series(std::ostream& out, const VolumeFlags& flags, const InvalidArgument& error,
+                  const std::string& command) {
+  if (error.option != Option::series || !flags.series.empty()) return false;
+  const std::vector<DicomSeries> series = dicom_series(flags.file);
+  out << flags.file << ": " << counted(static_cast<std::int64_t>(series.size()), "series", "series")
+      << " of DICOM slices\n\n";
+  std::vector<Row<3>> rows{{"slices", "description", "command"}};
+  for (const DicomSeries& one : series)
+    rows.push_back(
+        {std::to_string(one.slices), one.description, command + " --series " + shell_word(one.id)});
+  write_rows(out, rows, {false, true, true});
+  return true;
+}
 
 void add_info_command(CLI::App& app) {
   CLI::App& command = *app.add_subcommand("info", "print what a volume is: size, type, values");
@@ -81,7 +99,17 @@ void add_info_command(CLI::App& app) {
       "  isoloop info cells.ome.tif --channel 1");
   command.callback([flags] {
     check_flags_fit_file(*flags);
-    const Volume volume = read_volume(flags->file, read_options(*flags));
+    const StagedFile staged = staged_input(*flags);
+    Volume volume;
+    try {
+      volume = read_named(*flags, read_options(*flags), staged);
+    } catch (const InvalidArgument& error) {
+      if (!write_series(std::cout, *flags, error, "isoloop info " + shell_word(flags->file))) throw;
+      finish_stdout();
+      return;
+    }
+    const std::string unit = split_unit("--spacing", flags->spacing).unit;
+    if (!unit.empty()) volume.unit = unit;
     print_warnings(std::cerr, volume);
     write_info(std::cout, *flags, volume);
     finish_stdout();

@@ -1,7 +1,7 @@
 #include "tools/commands/loops_command.h"
 
-#include <cmath>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +11,7 @@
 
 #include "core/base/errors.h"
 #include "tools/flags/engine_flags.h"
+#include "tools/flags/length_flag.h"
 #include "tools/flags/thread_flag.h"
 #include "tools/page/page.h"
 #include "tools/reports/report_csv.h"
@@ -57,8 +58,11 @@ LoopFilter filter_of(const LoopsFlags& flags) {
     throw InvalidArgument("--side " + flags.side +
                           " does not go with --open-boundary, which tells no sides apart");
   }
-  if (std::isnan(filter.min_size) || std::isnan(filter.max_size) ||
-      filter.min_size > filter.max_size) {
+  TypedLength least;
+  TypedLength most{std::numeric_limits<double>::infinity(), ""};
+  if (!flags.input.min_size.empty()) least = parse_length("--min-size", flags.input.min_size);
+  if (!flags.input.max_size.empty()) most = parse_length("--max-size", flags.input.max_size);
+  if (least.unit == most.unit && least.value > most.value) {
     throw InvalidArgument("--min-size and --max-size leave nothing to report");
   }
   return filter;
@@ -145,12 +149,11 @@ void add_files(CLI::App& command, const char* flag, std::vector<std::string>& na
 
 void add_report_flags(CLI::App& command, LoopsFlags& flags) {
   command
-      .add_option("--min-size", flags.input.filter.min_size,
-                  "report loops of this size and more only, in the unit of the spacing")
+      .add_option(
+          "--min-size", flags.input.min_size,
+          "report loops of this size and more only, in the unit of the spacing or with one (20mm)")
       ->type_name("SIZE");
-  command
-      .add_option("--max-size", flags.input.filter.max_size,
-                  "report loops of this size and less only, in the unit of the spacing")
+  command.add_option("--max-size", flags.input.max_size, "report loops of this size and less only")
       ->type_name("SIZE");
   command.add_option("--side", flags.side, "report loops of this kind only")
       ->check(CLI::IsMember({"handle", "tunnel", "both"}))
@@ -194,15 +197,9 @@ void add_loops_command(CLI::App& app) {
   CLI::App& command =
       *app.add_subcommand("loops", "find, prove and measure every handle loop and tunnel loop");
   auto flags = std::make_shared<LoopsFlags>();
-  add_volume_flags(command, flags->input.volume);
   add_level_flags(command, flags->input.level);
-  command
-      .add_option("--geodesic", flags->input.geodesic,
-                  "how sizes are measured: exact is the definition to the letter and slow on thick "
-                  "parts, hierarchy is exact up to five voxels")
-      ->check(CLI::IsMember({"hierarchy", "exact"}))
-      ->type_name("HOW")
-      ->capture_default_str();
+  add_volume_flags(command, flags->input.volume);
+  add_geodesic_flag(command, flags->input.geodesic);
   add_thread_flag(command, flags->input.threads);
   add_engine_flags(command, flags->input.engine);
   add_report_flags(command, *flags);

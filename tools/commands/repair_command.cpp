@@ -118,9 +118,9 @@ void check_together(const CommandFlags& flags) {
   }
 }
 
-RepairRun repaired_run(const CommandFlags& flags, const RepairRequest& request,
-                       const Progress& progress) {
+RepairRun repaired_run(const CommandFlags& flags, const Progress& progress) {
   RepairRun run{read_run(flags.volume, flags.level)};
+  const RepairRequest request = repair_request(flags.repair, &run.volume);
   if (!flags.dry_run) check_format(flags, run.volume);
   run.repair = about_file(run.file, [&] {
     return in_stage("repair", [&] {
@@ -145,7 +145,7 @@ void settle(const CommandFlags& flags, RepairRun& run) {
 }
 
 void repair(const CommandFlags& flags) {
-  const RepairRequest request = repair_request(flags.repair);
+  repair_request(flags.repair);  // refused before anything is read
   check_together(flags);
   RepairRun run;
   OutputFiles outputs(flags.volume.file);
@@ -153,7 +153,7 @@ void repair(const CommandFlags& flags) {
   outputs.add("--json", flags.json, report_of(run, write_repair_json));
   run_and_report<RepairRun>(
       flags.progress, outputs, run,
-      {.run = [&](const Progress& progress) { return repaired_run(flags, request, progress); },
+      {.run = [&](const Progress& progress) { return repaired_run(flags, progress); },
        .settle = [&](RepairRun& repaired) { settle(flags, repaired); },
        .table = write_repair_table});
 }
@@ -164,8 +164,8 @@ void add_repair_command(CLI::App& app) {
   CLI::App& command =
       *app.add_subcommand("repair", "cut handles and fill tunnels, and change nothing else");
   auto flags = std::make_shared<CommandFlags>();
-  add_volume_flags(command, flags->volume);
   add_level_flags(command, flags->level);
+  add_volume_flags(command, flags->volume);
   add_repair_flags(command, flags->repair);
   want_file_name(
       command

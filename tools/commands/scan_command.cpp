@@ -8,7 +8,9 @@
 
 #include "core/base/errors.h"
 #include "core/base/stage.h"
+#include "core/base/threads.h"
 #include "core/scan/scan.h"
+#include "tools/flags/thread_flag.h"
 #include "tools/reports/report_scan.h"
 #include "tools/reports/scan_plot.h"
 #include "tools/runs/output_files.h"
@@ -26,6 +28,7 @@ struct ScanFlags {
   LevelFlags level;
   ScanRange range;
   std::string ignored;  // "64", "0.1%" or empty
+  int threads = 0;      // 0: one for each core
   ProgressFlags progress;
   std::string json;  // file, "-" or empty
   std::string csv;   // file, "-" or empty
@@ -37,8 +40,11 @@ ScanRun scanned_run(const ScanFlags& flags, const Progress& progress) {
   level.iso = "0";  // stands in until an iso value is proposed
   ScanRun run{read_run(flags.volume, level)};
   const std::vector<double> isos = scan_values(flags.range, run.volume, run.range);
-  run.scan = in_stage(
-      "scan", [&] { return scan_of(run, isos, progress, parse_ignored_size(flags.ignored)); });
+  run.scan = in_stage("scan", [&] {
+    return on_threads(flags.threads, [&] {
+      return scan_of(run, isos, progress, parse_ignored_size(flags.ignored));
+    });
+  });
   return run;
 }
 
@@ -65,8 +71,8 @@ void add_scan_command(CLI::App& app) {
   CLI::App& command = *app.add_subcommand(
       "scan", "count components, tunnels and cavities at all iso values, and propose one");
   auto flags = std::make_shared<ScanFlags>();
-  add_volume_flags(command, flags->volume);
   add_convention_flags(command, flags->level);
+  add_volume_flags(command, flags->volume);
   want_whole_number(
       command
           .add_option(
@@ -93,6 +99,7 @@ void add_scan_command(CLI::App& app) {
   add_output("--json", flags->json, "write the counts as JSON; - is standard output");
   add_output("--csv", flags->csv, "write one line for each iso value; - is standard output");
   add_output("--svg", flags->svg, "draw the counts as curves; - is standard output");
+  add_thread_flag(command, flags->threads);
   add_progress_flags(command, flags->progress);
   command.footer(
       "Examples:\n"

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "core/base/errors.h"
 #include "tools/flags/thread_flag.h"
 #include "tools/page/page.h"
 #include "tools/reports/report_table.h"
@@ -24,7 +25,16 @@ struct ViewFlags {
   PageOptions page;
 };
 
-void view_loops(const ViewFlags& flags) {
+/// FILE.html, beside a folder as well.
+std::string default_page(std::string file) {
+  while (file.size() > 1 && file.ends_with('/')) file.pop_back();
+  if (file == "-") throw InvalidArgument("standard input has no name: give --output PAGE.html");
+  return file + ".html";
+}
+
+void view_loops(const ViewFlags& typed) {
+  ViewFlags flags = typed;
+  if (flags.output.empty()) flags.output = default_page(flags.input.volume.file);
   LoopsRun run;
   OutputFiles outputs(flags.input.volume.file);
   outputs.add("--output", flags.output,
@@ -33,7 +43,11 @@ void view_loops(const ViewFlags& flags) {
       flags.progress, outputs, run,
       {.run = [&](const Progress& progress) { return find_run(flags.input, progress); },
        .settle = [](LoopsRun& found) { compare_with_mesh(found, found.analysis); },
-       .table = write_table});
+       .table =
+           [&](std::ostream& out, const LoopsRun& found) {
+             write_table(out, found);
+             if (typed.output.empty()) out << "page: " << flags.output << '\n';
+           }});
 }
 
 }  // namespace
@@ -45,20 +59,19 @@ void add_view_command(CLI::App& app) {
   flags->input.with_scan = true;
   flags->input.features = FeatureOptions{};
   flags->input.features_may_lack = true;
-  add_volume_flags(command, flags->input.volume);
   add_level_flags(command, flags->input.level);
-  want_file_name(
-      command
-          .add_option("-o,--output", flags->output,
-                      "page to write, one file that needs no network; - is standard output")
-          ->type_name("FILE|-")
-          ->required());
+  add_volume_flags(command, flags->input.volume);
+  want_file_name(command
+                     .add_option("-o,--output", flags->output,
+                                 "page to write, one file that needs no network (default: "
+                                 "FILE.html); - is standard output")
+                     ->type_name("FILE|-"));
   add_page_flags(command, flags->page);
   add_thread_flag(command, flags->input.threads);
   add_progress_flags(command, flags->progress);
   command.footer(
       "Examples:\n"
-      "  isoloop view engine_256x256x128_uint8.raw --iso 70 -o page.html\n"
+      "  isoloop view engine_256x256x128_uint8.raw --iso 70\n"
       "  isoloop view block.vdb --triangles 400000 -o page.html\n"
       "  isoloop view scan.raw --dims 512 512 300 --type i16 --iso 400 -o page.html");
   command.callback([flags] { view_loops(*flags); });

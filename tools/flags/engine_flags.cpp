@@ -7,7 +7,17 @@
 
 namespace isoloop {
 
-void add_engine_flags(CLI::App& command, EngineFlags& flags) {
+void add_geodesic_flag(CLI::App& command, std::string& geodesic) {
+  command
+      .add_option("--geodesic", geodesic,
+                  "how sizes are measured: exact is the definition to the letter and slow on thick "
+                  "parts, hierarchy is exact up to five voxels")
+      ->check(CLI::IsMember({"hierarchy", "exact"}))
+      ->type_name("HOW")
+      ->capture_default_str();
+}
+
+void add_method_flags(CLI::App& command, EngineFlags& flags) {
   command
       .add_option("--engine", flags.engine,
                   "dual searches for short loops; pair is the algorithm of Dey, Li, Sun and "
@@ -22,12 +32,6 @@ void add_engine_flags(CLI::App& command, EngineFlags& flags) {
           "surface, 2 orders by geodesic size")
       ->check(CLI::IsMember({"none", "1", "2", "both"}))
       ->type_name("WHICH");
-  want_file_name(
-      command
-          .add_option("--dump-pairs", flags.dump_pairs,
-                      "write the edges of the surface that --engine pair pairs with triangles off "
-                      "it, as CSV; - is standard output")
-          ->type_name("FILE|-"));
   command
       .add_option(
           "--tighten", flags.tighten,
@@ -36,6 +40,16 @@ void add_engine_flags(CLI::App& command, EngineFlags& flags) {
           "together; curve also draws each straight across the surface's triangles")
       ->check(CLI::IsMember({"none", "basis", "curve"}))
       ->type_name("HOW");
+}
+
+void add_engine_flags(CLI::App& command, EngineFlags& flags) {
+  add_method_flags(command, flags);
+  want_file_name(
+      command
+          .add_option("--dump-pairs", flags.dump_pairs,
+                      "write the edges of the surface that --engine pair pairs with triangles off "
+                      "it, as CSV; - is standard output")
+          ->type_name("FILE|-"));
   command.add_flag("--stats", flags.stats, "print triangle counts and times, as the paper does");
 }
 

@@ -17,7 +17,13 @@ struct EngineFlags {
   bool stats = false;
 };
 
-/// Adds --engine, --refine, --dump-pairs, --tighten and --stats. `flags` must outlive the parse.
+/// Adds --geodesic: "hierarchy" or "exact". `geodesic` must outlive the parse.
+void add_geodesic_flag(CLI::App& command, std::string& geodesic);
+
+/// Adds --engine, --refine and --tighten. `flags` must outlive the parse.
+void add_method_flags(CLI::App& command, EngineFlags& flags);
+
+/// The same, --dump-pairs and --stats.
 void add_engine_flags(CLI::App& command, EngineFlags& flags);
 
 Engine engine_of(const EngineFlags& flags);

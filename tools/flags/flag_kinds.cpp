@@ -1,10 +1,13 @@
 #include "tools/flags/flag_kinds.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <string>
 #include <string_view>
 #include <utility>
+
+#include <CLI/CLI.hpp>
 
 #include "core/base/errors.h"
 #include "volume/base/file_kind.h"
@@ -56,22 +59,40 @@ bool may_take(const std::filesystem::path& path, Option option) {
   return format == nullptr || takes_option(*format, option);
 }
 
+/// Where the flag stands among those typed; behind all of them if it is not known.
+std::size_t place_of(std::string_view flag, const VolumeFlags& flags) {
+  if (flags.command == nullptr) return 0;
+  const auto& typed = flags.command->parse_order();
+  const auto is_it = [flag](const CLI::Option* option) {
+    return option->check_name(std::string(flag));
+  };
+  return static_cast<std::size_t>(std::find_if(typed.begin(), typed.end(), is_it) - typed.begin());
+}
+
 }  // namespace
 
 void check_flags_fit_file(const VolumeFlags& flags) {
+  const Rule* first = nullptr;
   for (const Rule& rule : rules) {
     if (!rule.is_given(flags) || may_take(flags.file, rule.option)) continue;
-    throw InvalidArgument(std::string(rule.flag) + " means nothing for " + flags.file +
-                          ": it is for " + std::string(rule.kinds_text));
+    if (first == nullptr || place_of(rule.flag, flags) < place_of(first->flag, flags))
+      first = &rule;
   }
+  if (first == nullptr) return;
+  throw InvalidArgument(std::string(first->flag) + " means nothing for " + flags.file +
+                        ": it is for " + std::string(first->kinds_text));
 }
 
 void check_flags_agree(const VolumeFlags& volume, const LevelFlags& level) {
   if (volume.label.empty()) return;
-  for (const auto& [flag, value] : {std::pair{"--iso", level.iso}, {"--inside", level.inside}})
-    if (!value.empty())
-      throw InvalidArgument(std::string(flag) +
-                            " does not go with --label, which says by itself what is inside");
+  for (const auto& [flag, value] : {std::pair{"--iso", level.iso}, {"--inside", level.inside}}) {
+    if (value.empty()) continue;
+    if (place_of("--label", volume) < place_of(flag, volume))
+      throw InvalidArgument(std::string("--label does not go with ") + flag +
+                            ": a label says by itself what is inside");
+    throw InvalidArgument(std::string(flag) +
+                          " does not go with --label, which says by itself what is inside");
+  }
 }
 
 }  // namespace isoloop

@@ -9,10 +9,12 @@
 
 #include "core/base/errors.h"
 #include "tools/flags/flag_lists.h"
+#include "tools/flags/length_flag.h"
 #include "tools/words/flag_checks.h"
 #include "tools/words/value_hints.h"
 #include "volume/base/file_kind.h"
 #include "volume/base/header_text.h"
+#include "volume/mesh/mesh.h"
 
 namespace isoloop {
 namespace {
@@ -46,8 +48,16 @@ std::string mesh_words() {
   return words;
 }
 
+CLI::Option& add_file(CLI::App& command, const char* name, VolumeFlags& flags) {
+  CLI::Option* const option = command.add_option(
+      name, flags.file,
+      "volume to read: " + supported_extensions() +
+          ", or a folder of DICOM, TIFF, PNG or BMP slices; or mesh:" + mesh_words());
+  want_file_name(option);
+  return *option;
+}
+
 void check_volume_flags(CLI::App& command) {
-  want_file_name(command.get_option("FILE"));
   for (const char* flag :
        {"--dims", "--type", "--spacing", "--grid", "--series", "--label", "--crop", "--nan-as"}) {
     want_text(command.get_option(flag));
@@ -64,23 +74,8 @@ void take_resolution(const std::string& typed, VolumeFlags& flags) {
   flags.voxel_size.resolution = whole_number_of(typed);  // none of the word
 }
 
-}  // namespace
-
-void add_memory_flag(CLI::App& command, std::string& size) {
-  want_text(command
-                .add_option("--max-memory", size,
-                            "give up, exit code 4, rather than use more, for example 4G (default: "
-                            "80 % of what is free)")
-                ->type_name("SIZE"));
-}
-
-void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
-  command
-      .add_option("FILE", flags.file,
-                  "volume to read: " + supported_extensions() +
-                      ", or a folder of DICOM, TIFF, PNG or BMP slices; or mesh:" + mesh_words())
-      ->required()
-      ->type_name("");
+void add_description_flags(CLI::App& command, VolumeFlags& flags) {
+  flags.command = &command;
   command.add_option("--dims", flags.dims, "voxels along x, y and z of a raw file")
       ->type_name("X Y Z");
   command
@@ -94,8 +89,8 @@ void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
       ->type_name("BYTES");
   command
       .add_option("--spacing", flags.spacing,
-                  "length per voxel: one number, or one for each axis; replaces what the file says "
-                  "of its place (not of a .vdb file)")
+                  "length per voxel: one number, or one for each axis, a unit may follow (0.5mm); "
+                  "replaces what the file says of its place (not of a .vdb file)")
       ->type_name("S | X Y Z");
   command
       .add_option("--grid", flags.grid,
@@ -137,8 +132,8 @@ void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
   command
       .add_option_function<std::string>(
           "--resolution", [&flags](const std::string& typed) { take_resolution(typed, flags); },
-          "or their number along the mesh's longest side; auto doubles it from 64 on until the "
-          "voxels have the components, tunnels and cavities of the mesh")
+          "or their number along the mesh's longest side; auto (default, up to 256 cubed) doubles "
+          "it from 64 on until the voxels have the components, tunnels and cavities of the mesh")
       ->type_name("VOXELS|auto");
   command
       .add_option("--nan-as", flags.nan_as, "read NaN voxels as this value; else they are refused")
@@ -149,6 +144,26 @@ void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
                   "give up, exit code 4, on a volume of more voxels")
       ->type_name("N");
   check_volume_flags(command);
+}
+
+}  // namespace
+
+void add_memory_flag(CLI::App& command, std::string& size) {
+  want_text(command
+                .add_option("--max-memory", size,
+                            "give up, exit code 4, rather than use more, for example 4G (default: "
+                            "80 % of what is free)")
+                ->type_name("SIZE"));
+}
+
+void add_volume_flags(CLI::App& command, VolumeFlags& flags) {
+  add_file(command, "FILE", flags).required()->type_name("");
+  add_description_flags(command, flags);
+}
+
+void add_named_volume_flags(CLI::App& command, VolumeFlags& flags) {
+  add_file(command, "--file", flags).type_name("FILE");
+  add_description_flags(command, flags);
 }
 
 void add_convention_flags(CLI::App& command, LevelFlags& flags) {
@@ -166,6 +181,13 @@ void add_convention_flags(CLI::App& command, LevelFlags& flags) {
       ->check(CLI::IsMember({"trilinear", "simple"}))
       ->type_name("WHICH")
       ->capture_default_str();
+  command
+      .add_option("--connectivity", flags.connectivity,
+                  "of a mask, in place of --topology: inside voxels are joined across faces (6), "
+                  "edges too (18) or corners too (26), whatever their values")
+      ->check(CLI::IsMember({"6", "18", "26"}))
+      ->type_name("N")
+      ->excludes("--topology");
 }
 
 void add_level_flags(CLI::App& command, LevelFlags& flags) {
@@ -177,13 +199,6 @@ void add_level_flags(CLI::App& command, LevelFlags& flags) {
       ->type_name("VALUE [UPPER]|auto");
   want_text(command.get_option("--iso"));
   add_convention_flags(command, flags);
-  command
-      .add_option("--connectivity", flags.connectivity,
-                  "of a mask, in place of --topology: inside voxels are joined across faces (6), "
-                  "edges too (18) or corners too (26), whatever their values")
-      ->check(CLI::IsMember({"6", "18", "26"}))
-      ->type_name("N")
-      ->excludes("--topology");
   command.add_flag("--open-boundary", flags.open_boundary,
                    "end the surface at the border of the volume instead of closing it there; its "
                    "sides are not told apart");
@@ -202,7 +217,7 @@ ReadOptions read_options(const VolumeFlags& flags) {
   options.raw.endian = flags.endian == "big" ? Endian::big : Endian::little;
   options.raw.skip = flags.skip.value_or(0);
   if (!flags.spacing.empty()) {
-    options.format.spacing = parse_spacing(flags.spacing);
+    options.format.spacing = parse_spacing(split_unit("--spacing", flags.spacing).text);
     options.raw.spacing = *options.format.spacing;
   }
   options.format.frame = flags.frame;
@@ -222,6 +237,11 @@ ReadOptions read_options(const VolumeFlags& flags) {
   }
   options.max_voxels = flags.max_voxels;
   options.voxel_size = flags.voxel_size;
+  if (!flags.voxel_size.length && !flags.voxel_size.resolution && is_mesh(flags.file)) {
+    constexpr std::uint64_t most_by_itself = 256ULL * 256 * 256;  // seconds, not minutes
+    if (!flags.voxel_size.automatic && options.max_voxels == 0) options.max_voxels = most_by_itself;
+    options.voxel_size.automatic = true;
+  }
   if (!flags.max_memory.empty()) options.max_bytes = parse_bytes(flags.max_memory);
   return options;
 }

@@ -21,19 +21,20 @@ struct VolumeFlags {
   std::string type;                   // of the voxels, "u8" to "f64"; empty: not given
   std::string endian;                 // "little", "big" or empty: little
   std::optional<std::uint64_t> skip;  // bytes before the first voxel; unset: 0
-  std::string spacing;  // one length per voxel, or one for each axis; empty: the file's
+  std::string spacing;  // one length per voxel, or one for each axis, "0.5mm"; empty: the file's
   std::string grid;     // name of the grid in a .vdb file; empty: the only one
   std::optional<std::int64_t> frame;      // of a 4-D file, from 0
   std::optional<std::int64_t> channel{};  // of a TIFF file, from 0
   std::string series;                     // of DICOM slices: part of its identifier or description
   std::string affine;                     // "sform", "qform" or empty: as NIfTI's standard says
-  std::string label;             // "3" or "3,7": labels that are inside; empty: values count
-  std::string world;             // "ras", "lps" or empty: the file's frame
-  std::optional<double> nan_as;  // the value that takes the place of NaN
-  std::string max_memory;        // "4G"; empty: what the machine can spare
-  std::uint64_t max_voxels = 0;  // 0: no bound of its own
-  VoxelSize voxel_size{};        // of a mesh
-  std::string crop{};            // "10:20,:,5:": voxels along x, y and z; empty: all
+  std::string label;                  // "3" or "3,7": labels that are inside; empty: values count
+  std::string world;                  // "ras", "lps" or empty: the file's frame
+  std::optional<double> nan_as;       // the value that takes the place of NaN
+  std::string max_memory;             // "4G"; empty: what the machine can spare
+  std::uint64_t max_voxels = 0;       // 0: no bound of its own
+  VoxelSize voxel_size{};             // of a mesh
+  std::string crop{};                 // "10:20,:,5:": voxels along x, y and z; empty: all
+  const CLI::App* command = nullptr;  // whose flags were parsed in the order typed; may be null
 };
 
 /// Where the solid's border runs, as typed.
@@ -51,10 +52,13 @@ void add_memory_flag(CLI::App& command, std::string& size);
 /// Adds FILE and the flags that describe it. `flags` must outlive the parse.
 void add_volume_flags(CLI::App& command, VolumeFlags& flags);
 
-/// Adds --inside and --topology. `flags` must outlive the parse.
+/// The same, the file after --file, which may be left out.
+void add_named_volume_flags(CLI::App& command, VolumeFlags& flags);
+
+/// Adds --inside, --topology and --connectivity. `flags` must outlive the parse.
 void add_convention_flags(CLI::App& command, LevelFlags& flags);
 
-/// Adds --iso, --inside, --topology, --connectivity and --open-boundary. `flags` must outlive the
+/// Adds --iso, those of add_convention_flags() and --open-boundary. `flags` must outlive the
 /// parse.
 void add_level_flags(CLI::App& command, LevelFlags& flags);
 

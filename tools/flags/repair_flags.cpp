@@ -2,23 +2,22 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <string_view>
 
 #include <CLI/CLI.hpp>
 
 #include "core/base/errors.h"
+#include "tools/flags/length_flag.h"
 #include "tools/words/flag_checks.h"
 
 namespace isoloop {
 namespace {
 
-double length_of(const std::optional<double>& length, const char* flag) {
-  if (!length) return 0.0;
-  if (!(*length > 0.0)) {  // nor NaN
-    throw InvalidArgument(std::string(flag) + " wants a positive length");
-  }
-  return *length;
+double length_of(const std::string& typed, const char* flag, const Volume* volume) {
+  if (typed.empty()) return 0.0;
+  const TypedLength length = parse_length(flag, typed);
+  if (!(length.value > 0.0)) throw InvalidArgument(std::string(flag) + " wants a positive length");
+  return volume == nullptr ? length.value : length_in(length, *volume, flag);
 }
 
 LoopName loop_name(std::string_view word, const std::string& side) {
@@ -46,8 +45,10 @@ LoopName loop_name(std::string_view word, const std::string& side) {
 
 void add_repair_flags(CLI::App& command, RepairFlags& flags) {
   command
-      .add_option("--fill-tunnels", flags.fill_tunnels,
-                  "fill every tunnel whose loop is shorter than this, in the unit of the spacing")
+      .add_option(
+          "--fill-tunnels", flags.fill_tunnels,
+          "fill every tunnel whose loop is shorter than this, in the unit of the spacing or "
+          "with one (3mm)")
       ->type_name("SIZE");
   command
       .add_option("--cut-handles", flags.cut_handles,
@@ -71,18 +72,20 @@ void add_repair_flags(CLI::App& command, RepairFlags& flags) {
                       "remove the shortest loops until the surface has this genus or less")
           ->type_name("N"),
       0);
+  for (const char* flag : {"--fill-tunnels", "--cut-handles", "--auto"})
+    want_text(command.get_option(flag));
 }
 
-RepairRequest repair_request(const RepairFlags& flags) {
-  if (!flags.fill_tunnels && !flags.cut_handles && !flags.either && !flags.genus &&
-      flags.ids.empty()) {
+RepairRequest repair_request(const RepairFlags& flags, const Volume* volume) {
+  if (flags.fill_tunnels.empty() && flags.cut_handles.empty() && flags.either.empty() &&
+      !flags.genus && flags.ids.empty()) {
     throw InvalidArgument(
         "nothing to repair is named: give --fill-tunnels, --cut-handles, --auto, --ids or --genus");
   }
   RepairRequest request;
-  request.fill_tunnels = length_of(flags.fill_tunnels, "--fill-tunnels");
-  request.cut_handles = length_of(flags.cut_handles, "--cut-handles");
-  request.either = length_of(flags.either, "--auto");
+  request.fill_tunnels = length_of(flags.fill_tunnels, "--fill-tunnels", volume);
+  request.cut_handles = length_of(flags.cut_handles, "--cut-handles", volume);
+  request.either = length_of(flags.either, "--auto", volume);
   request.genus = flags.genus;
   const std::string_view ids = flags.ids;
   for (std::size_t at = 0; !ids.empty() && at <= ids.size();) {

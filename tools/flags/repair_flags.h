@@ -7,14 +7,15 @@
 
 #include "core/repair/repair.h"
 #include "tools/words/cli_app.h"
+#include "volume/voxels/volume.h"
 
 namespace isoloop {
 
-/// As typed. Lengths: unit of the spacing.
+/// As typed. Lengths: unit of the spacing, unless theirs follows; empty: not given.
 struct RepairFlags {
-  std::optional<double> fill_tunnels;
-  std::optional<double> cut_handles;
-  std::optional<double> either;  // --auto
+  std::string fill_tunnels;  // "30", "3mm"
+  std::string cut_handles;
+  std::string either;  // --auto
   std::optional<std::int64_t> genus;
   std::string ids;   // "h3,t7", or "3,7" with a side
   std::string side;  // "handle", "tunnel" or empty
@@ -24,7 +25,8 @@ struct RepairFlags {
 /// parse.
 void add_repair_flags(CLI::App& command, RepairFlags& flags);
 
-/// Throws InvalidArgument where nothing is asked for, or what is asked for makes no sense.
-RepairRequest repair_request(const RepairFlags& flags);
+/// Lengths in the unit of the volume's spacing; before it is read their numbers alone. Throws
+/// InvalidArgument where nothing is asked for, or what is asked for makes no sense.
+RepairRequest repair_request(const RepairFlags& flags, const Volume* volume = nullptr);
 
 }  // namespace isoloop

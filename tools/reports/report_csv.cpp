@@ -49,4 +49,14 @@ void write_csv(std::ostream& out, const LoopsRun& run) {
   }
 }
 
+void write_count_csv(std::ostream& out, const CountRun& run) {
+  const Surface& surface = run.analysis.surface;
+  out << "component,vertices,triangles,euler,genus,bounds,borders\n";
+  for (std::size_t i = 0; i < surface.components.size(); ++i) {
+    const SurfaceComponent& part = surface.components[i];
+    out << i << ',' << part.vertices << ',' << part.triangles << ',' << part.euler << ','
+        << part.genus << ',' << bounds_text(surface.boundary, part) << ',' << part.borders << '\n';
+  }
+}
+
 }  // namespace isoloop

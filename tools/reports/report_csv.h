@@ -15,4 +15,8 @@ namespace isoloop {
 /// input).
 void write_csv(std::ostream& out, const LoopsRun& run);
 
+/// One header line, then one line for each component of the surface: component, vertices,
+/// triangles, euler, genus, bounds (solid, cavity or unknown), borders.
+void write_count_csv(std::ostream& out, const CountRun& run);
+
 }  // namespace isoloop

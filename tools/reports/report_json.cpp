@@ -213,6 +213,7 @@ void write_document(std::ostream& out, const CountRun& run, const LoopsRun* loop
   if (loops != nullptr && loops->engine == Engine::pair) stages["pair"] = seconds.pair;
   stages["loops"] = seconds.loops;
   stages["total"] = run.cost.total_seconds;
+  if (loops != nullptr) stages["slowest_loops"] = seconds.slowest_loops;
   write_member(out, "seconds", stages);
   write_member(out, "peak_bytes", run.cost.peak_bytes);
   out << "\n}\n";

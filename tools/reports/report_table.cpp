@@ -205,6 +205,7 @@ std::string volume_text(const Volume& volume) {
 }
 
 void write_hint(std::ostream& out, const RunInput& run) {
+  if (!run.remark.empty()) out << "\nnote: " << run.remark << '\n';
   if (!run.hint.empty()) out << "\nnote: " << run.hint << '\n';
 }
 

@@ -22,7 +22,7 @@ std::string volume_text(const Volume& volume);
 /// "voxels 10:20,0:256,5:128 of 256 x 256 x 128".
 std::string part_text(const Volume& volume, const VolumePart& part);
 
-/// "note: ..." after an empty line, unless the run has no hint.
+/// "note: ..." after an empty line, for the remark and the hint that the run has.
 void write_hint(std::ostream& out, const RunInput& run);
 
 /// "f >= 70" or "f <= 70": which voxels are inside.

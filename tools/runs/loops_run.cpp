@@ -1,10 +1,13 @@
 #include "tools/runs/loops_run.h"
 
 #include <iostream>
+#include <utility>
 
 #include "core/base/errors.h"
 #include "core/base/stage.h"
 #include "core/base/threads.h"
+#include "tools/flags/length_flag.h"
+#include "tools/runs/frowns.h"
 #include "tools/runs/read_run.h"
 #include "tools/runs/scan_run.h"
 #include "tools/words/sentence.h"
@@ -12,16 +15,23 @@
 namespace isoloop {
 namespace {
 
-LoopsRun found_run(const LoopsInput& input, const Progress& progress) {
+LoopsRun found_in(RunInput volume, const LoopsInput& input, const Progress& progress) {
   const PairOptions pair = pair_options(input.engine);
   const Boundary boundary = boundary_of(input.level);
   const Tighten tighten = tighten_of(input.engine, boundary);
-  LoopsRun run{{read_run(input.volume, input.level)}};
+  LoopsRun run{{std::move(volume)}};
+  run.remark = spacing_note(run, !input.volume.spacing.empty());
   run.geodesic = input.geodesic == "exact" ? GeodesicMode::exact : GeodesicMode::hierarchy;
   run.engine = engine_of(input.engine);
   run.refinement = pair.refinement;
   run.tighten = tighten;
   run.filter = input.filter;
+  if (!input.min_size.empty())
+    run.filter.min_size =
+        length_in(parse_length("--min-size", input.min_size), run.volume, "--min-size");
+  if (!input.max_size.empty())
+    run.filter.max_size =
+        length_in(parse_length("--max-size", input.max_size), run.volume, "--max-size");
   run.analysis = analyze(view(run.volume), run.level,
                          {.boundary = boundary,
                           .geodesic = run.geodesic,
@@ -31,9 +41,11 @@ LoopsRun found_run(const LoopsInput& input, const Progress& progress) {
                           .count_volume_triangles = input.engine.stats,
                           .progress = progress,
                           .max_bytes = run.cost.max_bytes});
+  if (progress) progress("checks", 0.92);
   check_counts(run.analysis);
   check_loops(run.analysis);
-  run.reported = select_loops(run.analysis.loops, input.filter);
+  warn(run, count_warnings(run, run.analysis));
+  run.reported = select_loops(run.analysis.loops, run.filter);
   if (input.features && boundary == Boundary::closed) {
     if (progress) progress("features", 0.93);
     FeatureOptions options = *input.features;
@@ -64,9 +76,16 @@ void check_engine_flags(const LoopsInput& input) {
 }
 
 LoopsRun find_run(const LoopsInput& input, const Progress& progress) {
+  check_engine_flags(input);
   return about_file(input.volume.file, [&] {
-    return on_threads(input.threads, [&] { return found_run(input, progress); });
+    return on_threads(input.threads, [&] {
+      return found_in(read_run(input.volume, input.level), input, progress);
+    });
   });
+}
+
+LoopsRun find_in(RunInput volume, const LoopsInput& input, const Progress& progress) {
+  return on_threads(input.threads, [&] { return found_in(std::move(volume), input, progress); });
 }
 
 }  // namespace isoloop

@@ -18,8 +18,10 @@ struct LoopsInput {
   LevelFlags level;
   EngineFlags engine;
   std::string geodesic = "hierarchy";
-  int threads = 0;  // 0: one for each core
-  LoopFilter filter;
+  int threads = 0;       // 0: one for each core
+  LoopFilter filter;     // but for its sizes
+  std::string min_size;  // "3", "3mm" or empty: none
+  std::string max_size;
   bool with_scan = false;  // also count at many iso values, unless the boundary is open
   std::optional<FeatureOptions> features{};  // also sweep the features, unless the boundary is open
   bool features_may_lack = false;            // with a warning, where memory has no room for them
@@ -32,5 +34,9 @@ void check_engine_flags(const LoopsInput& input);
 /// read_run(), analyze(), check_counts() and check_loops() do, and InvalidArgument for flags
 /// that do not go together.
 LoopsRun find_run(const LoopsInput& input, const Progress& progress);
+
+/// The same in a volume that is there already, with its level; of `input` what it says of files and
+/// levels is not looked at.
+LoopsRun find_in(RunInput volume, const LoopsInput& input, const Progress& progress);
 
 }  // namespace isoloop

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <fstream>
 #include <iostream>
 #include <memory>
 #include <system_error>
@@ -16,6 +17,12 @@ namespace isoloop {
 namespace {
 
 bool is_stdout(const std::string& name) { return name == "-"; }
+
+/// What is written there is gone.
+bool is_null_device(const std::string& name) {
+  std::error_code ignored;
+  return std::filesystem::weakly_canonical(name, ignored) == "/dev/null";
+}
 
 bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
   std::error_code error;
@@ -38,13 +45,13 @@ void OutputFiles::add(const std::string& flag, const std::string& name, const Re
   if (name.starts_with("--")) throw InvalidArgument(flag + " wants a file name after it");
   for (const Output& other : outputs_) {
     const bool both_stdout = is_stdout(name) && is_stdout(other.name);
-    const bool both_files = !is_stdout(name) && !is_stdout(other.name);
+    const bool both_files = !is_stdout(name) && !is_stdout(other.name) && !is_null_device(name);
     if (both_stdout || (both_files && same_file(name, other.name))) {
       throw InvalidArgument(clash(flag, name, "another output"));
     }
   }
-  if (!is_stdout(name)) {
-    if (same_file(name, input_)) {
+  if (!is_stdout(name) && !is_null_device(name)) {
+    if (!input_.empty() && same_file(name, input_)) {
       throw InvalidArgument(clash(flag, name, "the input"));
     }
     check_writable(name);
@@ -70,6 +77,11 @@ void OutputFiles::write_all() const {
   std::vector<std::unique_ptr<AtomicFile>> files;
   for (const Output& output : outputs_) {
     if (is_stdout(output.name) || !output.report) continue;
+    if (is_null_device(output.name)) {
+      std::ofstream nowhere("/dev/null", std::ios::binary);
+      output.report(nowhere);
+      continue;
+    }
     files.push_back(std::make_unique<AtomicFile>(output.name));
     output.report(files.back()->stream());
   }

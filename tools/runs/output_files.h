@@ -16,7 +16,7 @@ class OutputFiles {
  public:
   using Report = std::function<void(std::ostream&)>;
 
-  /// `input` is never overwritten.
+  /// `input` is never overwritten; empty: there is none.
   explicit OutputFiles(std::filesystem::path input) : input_(std::move(input)) {}
 
   /// Asks for `report` in the file `name`; on standard output for "-"; nowhere for "". `flag` opens

@@ -6,7 +6,9 @@
 
 #include "core/base/stage.h"
 #include "tools/flags/flag_kinds.h"
+#include "tools/flags/length_flag.h"
 #include "tools/runs/auto_iso.h"
+#include "tools/runs/frowns.h"
 #include "tools/runs/memory_cap.h"
 #include "tools/words/sentence.h"
 #include "tools/words/value_hints.h"
@@ -36,6 +38,23 @@ IsoLevel level_of(LevelFlags flags, RunInput& run) {
 
 }  // namespace
 
+Volume read_named(const VolumeFlags& flags, const ReadOptions& options, const StagedFile& staged) {
+  if (!staged) return read_volume(flags.file, options);
+  const auto named = [&](Finding finding) {
+    if (finding.file == staged->string()) finding.file = flags.file;
+    return finding;
+  };
+  try {
+    return read_volume(*staged, options);
+  } catch (const InvalidArgument& error) {
+    throw InvalidArgument(named(error.finding), error.option);
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(named(error.finding), error.fault);
+  } catch (const LimitExceeded& error) {
+    throw LimitExceeded(named(error.finding), error.excess);
+  }
+}
+
 RunInput read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flags) {
   const auto start = std::chrono::steady_clock::now();
   RunInput run;
@@ -46,19 +65,27 @@ RunInput read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flags
   ReadOptions options = read_options(volume_flags);
   // A layer of background would close the surface that is to end there.
   if (level_flags.open_boundary) options.margin = VdbMargin::none;
+  run.staged = staged_input(volume_flags);
   const std::uint64_t available = default_voxel_limit();
   if (options.max_bytes > 0) cap_memory(options.max_bytes);
   run.volume = about_file(run.file, [&] {
-    return in_stage("read", [&] { return read_volume(volume_flags.file, options); });
+    return in_stage("read", [&] { return read_named(volume_flags, options, run.staged); });
   });
   const std::uint64_t limit = options.max_bytes > 0 ? options.max_bytes : available;
   run.cost.max_bytes = limit - std::min(limit, resident_bytes());
+  if (const std::string unit = split_unit("--spacing", volume_flags.spacing).unit; !unit.empty())
+    run.volume.unit = unit;
   print_warnings(std::cerr, run.volume);
   run.range = value_range(run.volume);
   run.level = level_of(level_flags, run);
   if (is_mask(run.range) && !run.volume.level_set && volume_flags.label.empty() &&
       level_flags.connectivity.empty()) {
     run.hint = mask_hint(run.range);
+  }
+  if (volume_flags.label.empty()) {
+    const std::string labels =
+        label_warning(run, !level_flags.iso.empty() && run.iso_choice.empty());
+    if (!labels.empty()) warn(run, {labels});
   }
   run.cost.read_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

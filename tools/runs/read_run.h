@@ -7,11 +7,16 @@
 #include "core/base/errors.h"
 #include "tools/flags/input_flags.h"
 #include "tools/runs/run_result.h"
+#include "tools/runs/staged_input.h"
 
 namespace isoloop {
 
 /// One line for each of the volume's warnings.
 void print_warnings(std::ostream& out, const Volume& volume);
+
+/// Reads what the flags name, or its copy if `staged` is one, and prints nothing. Throws as
+/// read_volume() does, of the copy in the name of the flags' file.
+Volume read_named(const VolumeFlags& flags, const ReadOptions& options, const StagedFile& staged);
 
 /// Reads the volume, prints its warnings to standard error, and settles the level, with --iso auto
 /// as choose_iso() does; the analysis is still empty. --max-memory, if given, bounds the process

@@ -101,11 +101,18 @@ std::vector<std::string> notes_of(const RunInput& run) {
   std::vector<std::string> notes = sentences_of(run.volume.notes);
   if (!run.iso_choice.empty())
     notes.push_back("iso " + shortest_text(run.level.iso) + " is " + run.iso_choice);
+  if (!run.remark.empty()) notes.push_back(run.remark);
   if (!run.hint.empty()) notes.push_back(run.hint);
   return notes;
 }
 
 std::uint64_t peak_resident_bytes() {
+  // What getrusage() says begins with the set of the process that started this one.
+  std::ifstream file("/proc/self/status");
+  for (std::string word; file >> word;) {
+    std::uint64_t kibibytes = 0;
+    if (word == "VmHWM:" && file >> kibibytes) return kibibytes * 1024;
+  }
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB

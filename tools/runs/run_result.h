@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -44,12 +46,14 @@ std::uint64_t resident_bytes();
 
 /// What every run has.
 struct RunInput {
-  std::string file{};  // as named on the command line
+  std::string file{};                                     // as named on the command line
+  std::shared_ptr<const std::filesystem::path> staged{};  // the copy of a pipe; null if it was none
   Volume volume{};
   ValueRange range{};
   std::optional<double> nan_as{};  // the value that was read in place of NaN
   IsoLevel level{};
   std::string iso_choice{};  // how --iso auto came to the level's iso value; empty: it was stated
+  std::string remark{};      // on the unit of lengths; or empty
   std::string hint{};  // what the values suggest, for a mask that was not read as one; or empty
   RunCost cost{};
 };
@@ -85,7 +89,7 @@ struct RepairRun : RunInput {
   std::string output{};  // the file written; empty on a dry run
 };
 
-/// The volume's notes, how its iso value was chosen, and the hint.
+/// The volume's notes, how its iso value was chosen, the remark and the hint.
 std::vector<std::string> notes_of(const RunInput& run);
 
 /// Throws SelfCheckFailed unless every component of the surface is closed (or, with an open

@@ -301,6 +301,19 @@ Volume read_dicom(const std::filesystem::path& path, const FormatOptions& option
   return volume;
 }
 
+std::vector<DicomSeries> dicom_series(const std::filesystem::path& folder) {
+  std::map<std::string, DicomSeries> series;
+  for (const DicomSlice& slice : read_slices(folder)) {
+    DicomSeries& one = series[slice.series];
+    one.id = slice.series;
+    one.description = slice.description;
+    ++one.slices;
+  }
+  std::vector<DicomSeries> list;
+  for (const auto& [id, one] : series) list.push_back(one);
+  return list;
+}
+
 bool holds_dicom(const std::filesystem::path& folder) {
   const Paths files = files_by<std::filesystem::directory_iterator>(folder);
   return std::any_of(files.begin(), files.end(), is_dicom_slice);

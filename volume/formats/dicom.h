@@ -24,6 +24,16 @@ namespace isoloop {
 Volume read_dicom(const std::filesystem::path& path, const FormatOptions& options = {},
                   const VoxelLimits& limits = {});
 
+struct DicomSeries {
+  std::string id;           // what options.series chooses it by
+  std::string description;  // may be empty
+  std::size_t slices = 0;
+};
+
+/// The series of the folder's slices, in the order of their identifiers. Throws InvalidInput as
+/// read_dicom() does.
+std::vector<DicomSeries> dicom_series(const std::filesystem::path& folder);
+
 /// Whether a file of the folder is a DICOM file.
 bool holds_dicom(const std::filesystem::path& folder);
 

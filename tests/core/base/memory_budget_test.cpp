@@ -60,8 +60,7 @@ TEST(MemoryBudget, SearchesForLoopsAreRefusedWhereTheSurfaceIsLarge) {
   const testing::Prepared p(volume, GeodesicMode::hierarchy);
   const std::uint64_t vertices = p.surface.points.size();
   const std::uint64_t needed =
-      loops_bytes(p.sides.lattice.vertex_count(), vertices, p.sizes.by_edge.bytes()) +
-      loop_search_bytes(vertices);
+      loops_bytes(p.sides.lattice.vertex_count(), vertices) + loop_search_bytes(vertices);
   const auto error = refusal_within(volume, needed - 1);
   ASSERT_TRUE(error);
   EXPECT_EQ(error->excess.stage, "loops");

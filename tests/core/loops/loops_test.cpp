@@ -102,5 +102,26 @@ TEST(Loops, ALoopThatLeavesTheSurfaceIsNotCertified) {
   EXPECT_THROW(certified(solved.prepared.surface, solved.classes, solved.loops), SelfCheckFailed);
 }
 
+TEST(Loops, SayWhatTheSearchForEachOfThemTook) {
+  Solved solved(testing::white_noise({9, 10, 8}, 3));
+  const SearchedLoops found = loops_of_side(
+      solved.prepared.surface, solved.classes,
+      {*solved.prepared.inside, solved.inside, solved.inside_borders, solved.inside_classes},
+      solved.prepared.closest);
+  ASSERT_GT(found.loops.size(), 10U);
+  ASSERT_EQ(found.seconds.size(), found.loops.size());
+  for (const double seconds : found.seconds) EXPECT_GT(seconds, 0.0);
+}
+
+TEST(Loops, TheSlowestHundredthIsOneSearchAtLeast) {
+  EXPECT_EQ(slowest_hundredth({}), 0.0);
+  EXPECT_EQ(slowest_hundredth({1.0, 4.0, 2.0}), 4.0);
+  std::vector<double> seconds(200, 1.0);
+  seconds[17] = 8.0;
+  EXPECT_EQ(slowest_hundredth(seconds), 9.0);
+  seconds.push_back(0.5);
+  EXPECT_EQ(slowest_hundredth(seconds), 10.0);
+}
+
 }  // namespace
 }  // namespace isoloop

@@ -18,8 +18,10 @@ TEST(SurfaceHierarchy, ClustersAreTheConnectedPartsOfBlocks) {
   const testing::Prepared p(testing::smooth_noise({18, 17, 16}, 3, 1), GeodesicMode::hierarchy);
   const Surface& surface = p.surface;
   ClusterLevel level = finest_level(surface);
+  const EdgeGraph* neighbors = &surface.graph;
   for (int k = 1; k <= 3; ++k) {
-    level = coarser_level(level);
+    level = coarser_level(level, *neighbors);
+    neighbors = &level.neighbors;
     const auto block = [&](std::uint32_t v) {
       std::array<std::int64_t, 3> b{};
       for (int a = 0; a < 3; ++a)
@@ -45,7 +47,8 @@ TEST(SurfaceHierarchy, ClustersAreTheConnectedPartsOfBlocks) {
 
 TEST(SurfaceHierarchy, ClustersAreNeighboursWhereAnEdgeOfTheSurfaceJoinsThem) {
   const testing::Prepared p(testing::torus({16, 16, 16}), GeodesicMode::hierarchy);
-  const ClusterLevel level = coarser_level(coarser_level(finest_level(p.surface)));
+  const ClusterLevel finer = coarser_level(finest_level(p.surface), p.surface.graph);
+  const ClusterLevel level = coarser_level(finer, finer.neighbors);
   std::set<std::pair<std::uint32_t, std::uint32_t>> expected;
   for (std::uint32_t u = 0; u < p.surface.graph.vertex_count(); ++u)
     p.surface.graph.for_each_out_edge(u, [&](std::uint32_t v, std::uint32_t) {

@@ -1,5 +1,8 @@
 #include "core/tighten/shortest_basis.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -78,6 +81,25 @@ TEST(ShortestBasis, KeepsLoopsOfSeveralCurves) {
   EXPECT_NO_THROW(certified(loops.prepared.surface, loops.classes, all));
   for (const Loop& loop : loops.handles) EXPECT_EQ(loop.curves.size(), 2U);
   EXPECT_LE(testing::total_length(loops.handles), before);
+}
+
+/// Bars along the edges of cubes of `period` voxels.
+testing::SmallVolume lattice(std::int64_t size, double period) {
+  const auto off = [period](double x) { return std::abs(std::remainder(x - 4.0, period)); };
+  return testing::sampled({size, size, size}, [&](double x, double y, double z) {
+    const std::array<double, 3> from{off(x), off(y), off(z)};
+    const double along_two = std::min(
+        {std::hypot(from[0], from[1]), std::hypot(from[1], from[2]), std::hypot(from[2], from[0])});
+    return 0.15 * period - along_two;
+  });
+}
+
+TEST(ShortestBasis, EndsThoughMoreLoopsAreOutOfReachThanItCanSearchFor) {
+  WithLoops loops(lattice(87, 13.0));
+  EXPECT_GT(loops.handles.size(), 200U);
+  loops.shorten({3e6, 0.0});
+  std::vector<Loop> all = loops.all_loops();
+  EXPECT_NO_THROW(certify(loops.prepared.surface, loops.classes, all));
 }
 
 TEST(ShortestBasis, IsTheSameForAnyNumberOfThreads) {

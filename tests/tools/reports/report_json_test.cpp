@@ -50,7 +50,8 @@ TEST(ReportJson, HasTheNamesOfTheDesign) {
                                 "center_index", "center_world", "curves", "certificate"}));
   EXPECT_EQ(
       keys_of(json.at("seconds")),
-      (std::vector<std::string>{"read", "surface", "closest", "sizes", "pass", "loops", "total"}));
+      (std::vector<std::string>{"read", "surface", "closest", "sizes", "pass", "loops", "total",
+                                "slowest_loops"}));
 }
 
 TEST(ReportJson, StatesTheUnitWhereTheFileDoes) {
