@@ -13,6 +13,7 @@ function(isoloop_find_openvdb)
     list(APPEND CMAKE_MODULE_PATH "${OPENVDB_MODULE_DIR}")
   endif()
   find_package(OpenVDB 9.0 ${isoloop_required} COMPONENTS openvdb)
+  set(OpenVDB_VERSION "${OpenVDB_VERSION}" PARENT_SCOPE)
 endfunction()
 
 # Of isoloop::volume alone.

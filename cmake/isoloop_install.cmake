@@ -5,14 +5,14 @@ include(GNUInstallDirs)
 set(isoloop_package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/isoloop")
 foreach(name core volume)
   install(TARGETS isoloop_${name} EXPORT isoloop_${name}
-    INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+    COMPONENT development INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
   install(EXPORT isoloop_${name} NAMESPACE isoloop:: FILE ${name}Targets.cmake
-    DESTINATION "${isoloop_package_folder}")
+    DESTINATION "${isoloop_package_folder}" COMPONENT development)
 endforeach()
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/isoloop"
-  DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" FILES_MATCHING PATTERN "*.h")
+  DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT development FILES_MATCHING PATTERN "*.h")
 if(ISOLOOP_TOOLS)
-  install(TARGETS isoloop)
+  install(TARGETS isoloop COMPONENT command)
 endif()
 
 get_target_property(type isoloop_core TYPE)
@@ -28,7 +28,7 @@ install(FILES
   "${PROJECT_BINARY_DIR}/isoloopConfig.cmake"
   "${PROJECT_BINARY_DIR}/isoloopConfigVersion.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/isoloop_dependencies.cmake"
-  DESTINATION "${isoloop_package_folder}")
+  DESTINATION "${isoloop_package_folder}" COMPONENT development)
 
 # A static library leaves it to the program to link what it needs.
 set(isoloop_links "")
@@ -39,4 +39,5 @@ if(isoloop_is_static)
 endif()
 file(RELATIVE_PATH isoloop_up "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
 configure_file("${PROJECT_SOURCE_DIR}/cmake/isoloop.pc.in" "${PROJECT_BINARY_DIR}/isoloop.pc" @ONLY)
-install(FILES "${PROJECT_BINARY_DIR}/isoloop.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+install(FILES "${PROJECT_BINARY_DIR}/isoloop.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig"
+  COMPONENT development)

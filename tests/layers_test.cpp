@@ -75,6 +75,20 @@ TEST(Layers, VolumeSeesNeitherToolsNorTheirLibraries) {
         << file << " includes " << name;
 }
 
+TEST(Layers, NoLayerSeesThePythonModule) {
+  for (const std::string folder : {"include", "core", "volume", "tools"})
+    for (const auto& [name, file] : includes_of(folder))
+      EXPECT_FALSE(starts_with_any(name, {"python/", "pybind11", "Python.h"}))
+          << file << " includes " << name;
+}
+
+TEST(Layers, ThePythonModuleSeesNoEngine) {
+  for (const auto& [name, file] : includes_of("python"))
+    EXPECT_FALSE(starts_with_any(name, {"core/"}) &&
+                 !starts_with_any(name, {"core/base/errors.h", "core/base/threads.h"}))
+        << file << " includes " << name;
+}
+
 TEST(Layers, FewFilesSeeOpenVdb) {
   const std::set<std::string> allowed{"volume/voxelize/mesh_distance.cpp",
                                       "volume/vdb/vdb_decode.cpp", "volume/vdb/vdb_write.cpp"};
@@ -139,7 +153,7 @@ TEST(Layers, NoIncludeRunsBackBetweenFolders) {
 
 TEST(Layers, AFolderFitsAGlance) {
   std::map<std::string, int> headers;
-  for (const std::string layer : {"include", "core", "volume", "tools"})
+  for (const std::string layer : {"include", "core", "volume", "tools", "python"})
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(ISOLOOP_SOURCE) / layer))
       if (entry.path().extension() == ".h") ++headers[entry.path().parent_path().string()];
   EXPECT_GT(headers.size(), 20U);

@@ -17,9 +17,9 @@ namespace {
 
 TEST_F(CommandLine, HelpShowsThreeExamplesAndSucceeds) {
   const std::regex example("\n  isoloop [a-z]+ ");
-  for (const Words& arguments :
-       {Words{"-h"}, Words{"info", "-h"}, Words{"count", "-h"}, Words{"loops", "-h"},
-        Words{"scan", "-h"}, Words{"view", "-h"}, Words{"generate", "--help"}}) {
+  for (const Words& arguments : {Words{"-h"}, Words{"info", "-h"}, Words{"count", "-h"},
+                                 Words{"loops", "-h"}, Words{"scan", "-h"}, Words{"view", "-h"},
+                                 Words{"demo", "-h"}, Words{"generate", "--help"}}) {
     const ProcessResult result = run(arguments);
     EXPECT_EQ(result.exit_code, 0) << arguments[0];
     EXPECT_EQ(result.err, "");
@@ -33,6 +33,22 @@ TEST_F(CommandLine, VersionGoesToStandardOutput) {
   const ProcessResult result = run({"--version"});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_TRUE(result.out.starts_with("isoloop ")) << result.out;
+  static const std::regex built(
+      "built with .* [0-9.]+, OpenVDB [0-9.]+, oneTBB [0-9.]+, Boost [0-9.]+, zlib [0-9.]+, "
+      "libtiff "
+      "[0-9.]+, libpng [0-9.]+, CLI11 [0-9.]+, nlohmann-json [0-9.]+\n");
+  EXPECT_TRUE(std::regex_search(result.out, built)) << result.out;
+}
+
+TEST_F(CommandLine, DemoFindsWhatIsKnownAndSaysWhereThePageIs) {
+  const ProcessResult result = run({"demo", "-o", "new/demo"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("tunnels     20 "), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("/new/demo/engine_block.html\n"), std::string::npos) << result.out;
+  EXPECT_TRUE(std::filesystem::exists(scratch_.path() / "new/demo/engine_block.html"));
+  EXPECT_TRUE(std::filesystem::exists(scratch_.path() / "new/demo/engine_block.vdb"));
+  scratch_.write("file", {1});
+  expect_failure({"demo", "-o", "file"}, 3, "file");
 }
 
 TEST_F(CommandLine, UnknownCommandIsAUsageErrorThatNamesTheCommands) {

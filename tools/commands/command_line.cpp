@@ -9,6 +9,7 @@
 #include "core/base/errors.h"
 #include "tools/commands/bench_command.h"
 #include "tools/commands/count_command.h"
+#include "tools/commands/demo_command.h"
 #include "tools/commands/generate_command.h"
 #include "tools/commands/info_command.h"
 #include "tools/commands/loops_command.h"
@@ -16,6 +17,7 @@
 #include "tools/commands/overview_command.h"
 #include "tools/commands/repair_command.h"
 #include "tools/commands/scan_command.h"
+#include "tools/commands/slicer_module.h"
 #include "tools/commands/typed_words.h"
 #include "tools/commands/view_command.h"
 #include "tools/flags/input_flags.h"
@@ -32,14 +34,21 @@ std::vector<std::string> names_of(const CLI::App& app, bool hidden_ones) {
   return names;
 }
 
-void parse_and_run(const std::vector<std::string>& typed) {
+void parse_and_run(const std::vector<std::string>& given) {
+  const std::vector<std::string> typed = with_slicer_command(given);
   CLI::App app(
       "isoloop finds, proves and measures the handle loops and tunnel loops of an "
       "iso-surface in a volume.");
   app.name("isoloop");
   app.require_subcommand(1);
   app.set_help_all_flag("--help-all", "print this help with the flags that few need");
-  app.set_version_flag("--version", "isoloop " ISOLOOP_VERSION);
+  app.set_version_flag("--version", "isoloop " ISOLOOP_VERSION "\nbuilt with " ISOLOOP_BUILT_WITH);
+  app.add_flag_callback("--xml",
+                        [] {
+                          std::cout << slicer_descriptor();
+                          throw CLI::Success();
+                        })
+      ->group("");
   app.footer(
       "Examples:\n"
       "  isoloop generate engine_block --size 128 -o block.vdb\n"
@@ -55,6 +64,7 @@ void parse_and_run(const std::vector<std::string>& typed) {
   add_view_command(app);
   add_repair_command(app);
   add_generate_command(app);
+  add_demo_command(app);
   add_bench_command(app);
   add_measure_command(app);
   add_overview_command(app, typed);

@@ -39,7 +39,7 @@ ScanRun scanned_run(const ScanFlags& flags, const Progress& progress) {
   LevelFlags level = flags.level;
   level.iso = "0";  // stands in until an iso value is proposed
   ScanRun run{read_run(flags.volume, level)};
-  const std::vector<double> isos = scan_values(flags.range, run.volume, run.range);
+  const std::vector<double> isos = scan_values(flags.range, voxels_of(run), run.range);
   run.scan = in_stage("scan", [&] {
     return on_threads(flags.threads, [&] {
       return scan_of(run, isos, progress, parse_ignored_size(flags.ignored));

@@ -178,7 +178,7 @@ Json blocks_of(const LoopsRun& run, const PageOptions& options) {
   const double span = run.range.max - run.range.min;
   const bool finite = std::isfinite(span) && span > 0;
   std::visit(
-      [&](const auto& values) {
+      [&](const auto& grid) {
         for (std::int64_t z = 0; z < dims[2]; z += block)
           for (std::int64_t y = 0; y < dims[1]; y += block)
             for (std::int64_t x = 0; x < dims[0]; x += block) {
@@ -188,14 +188,14 @@ Json blocks_of(const LoopsRun& run, const PageOptions& options) {
                 for (std::int64_t j = y; j < std::min(y + block, dims[1]); ++j)
                   for (std::int64_t i = x; i < std::min(x + block, dims[0]); ++i, ++voxels)
                     sum += static_cast<double>(
-                        values[static_cast<std::size_t>(i + dims[0] * (j + dims[1] * k))]);
+                        grid.values[static_cast<std::size_t>(i + dims[0] * (j + dims[1] * k))]);
               const double share =
                   finite ? (sum / static_cast<double>(voxels) - run.range.min) / span : 0.0;
               bytes.push_back(static_cast<std::uint8_t>(
                   std::isfinite(share) ? std::lround(255.0 * std::clamp(share, 0.0, 1.0)) : 0));
             }
       },
-      run.volume.values);
+      voxels_of(run));
   return {{"dims", blocks},
           {"block", block},
           {"iso_share", finite ? (run.level.iso - run.range.min) / span : 0.0},

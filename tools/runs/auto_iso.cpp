@@ -16,7 +16,7 @@ ChosenIso choose_iso(const RunInput& run, const Progress& progress) {
   const std::string labels = labels_text(run);
   if (!labels.empty()) throw InvalidArgument("--iso auto finds no iso value: " + labels);
   const Scan scan = in_stage(
-      "scan", [&] { return scan_of(run, scan_values({}, run.volume, run.range), progress); });
+      "scan", [&] { return scan_of(run, scan_values({}, voxels_of(run), run.range), progress); });
   if (!scan.proposed)
     throw InvalidArgument("--iso auto finds no iso value: all voxels are " +
                           shortest_text(run.range.min));

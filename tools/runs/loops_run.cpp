@@ -32,7 +32,7 @@ LoopsRun found_in(RunInput volume, const LoopsInput& input, const Progress& prog
   if (!input.max_size.empty())
     run.filter.max_size =
         length_in(parse_length("--max-size", input.max_size), run.volume, "--max-size");
-  run.analysis = analyze(view(run.volume), run.level,
+  run.analysis = analyze(voxels_of(run), run.level,
                          {.boundary = boundary,
                           .geodesic = run.geodesic,
                           .engine = run.engine,
@@ -56,14 +56,14 @@ LoopsRun found_in(RunInput volume, const LoopsInput& input, const Progress& prog
       });
     } catch (const LimitExceeded& error) {
       if (!input.features_may_lack) throw;
-      std::cerr << "isoloop: warning: features are left out: " << sentence_of(error.finding)
-                << '\n';
+      run.left_out = "features are left out: " + sentence_of(error.finding);
+      std::cerr << "isoloop: warning: " << run.left_out << '\n';
     }
   }
   if (input.with_scan && boundary == Boundary::closed && !run.level.upper) {
     if (progress) progress("scan", 0.95);
-    run.scan =
-        in_stage("scan", [&] { return scan_of(run, scan_values({}, run.volume, run.range), {}); });
+    run.scan = in_stage(
+        "scan", [&] { return scan_of(run, scan_values({}, voxels_of(run), run.range), {}); });
   }
   return run;
 }

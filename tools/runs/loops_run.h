@@ -35,8 +35,8 @@ void check_engine_flags(const LoopsInput& input);
 /// that do not go together.
 LoopsRun find_run(const LoopsInput& input, const Progress& progress);
 
-/// The same in a volume that is there already, with its level; of `input` what it says of files and
-/// levels is not looked at.
+/// The same in a volume that is there already, with its level; of `input` what it says of files is
+/// not looked at, nor of levels but for the boundary.
 LoopsRun find_in(RunInput volume, const LoopsInput& input, const Progress& progress);
 
 }  // namespace isoloop

@@ -14,6 +14,7 @@
 #include "tools/words/value_hints.h"
 #include "volume/base/memory_limit.h"
 #include "volume/mesh/mesh.h"
+#include "volume/voxels/value_range.h"
 
 namespace isoloop {
 
@@ -55,6 +56,24 @@ Volume read_named(const VolumeFlags& flags, const ReadOptions& options, const St
   }
 }
 
+void settle_level(RunInput& run, const LevelFlags& flags, bool is_mask_of_labels) {
+  run.range = value_range(voxels_of(run));
+  run.level = level_of(flags, run);
+  if (is_mask(run.range) && !run.volume.level_set && !is_mask_of_labels &&
+      flags.connectivity.empty()) {
+    run.hint = mask_hint(run.range);
+  }
+}
+
+Volume read_flagged(const VolumeFlags& flags, VdbMargin margin) {
+  check_flags_fit_file(flags);
+  ReadOptions options = read_options(flags);
+  options.margin = margin;
+  return about_file(flags.file, [&] {
+    return in_stage("read", [&] { return read_volume(flags.file, options); });
+  });
+}
+
 RunInput read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flags) {
   const auto start = std::chrono::steady_clock::now();
   RunInput run;
@@ -76,12 +95,7 @@ RunInput read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flags
   if (const std::string unit = split_unit("--spacing", volume_flags.spacing).unit; !unit.empty())
     run.volume.unit = unit;
   print_warnings(std::cerr, run.volume);
-  run.range = value_range(run.volume);
-  run.level = level_of(level_flags, run);
-  if (is_mask(run.range) && !run.volume.level_set && volume_flags.label.empty() &&
-      level_flags.connectivity.empty()) {
-    run.hint = mask_hint(run.range);
-  }
+  settle_level(run, level_flags, !volume_flags.label.empty());
   if (volume_flags.label.empty()) {
     const std::string labels =
         label_warning(run, !level_flags.iso.empty() && run.iso_choice.empty());

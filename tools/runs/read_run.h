@@ -18,6 +18,15 @@ void print_warnings(std::ostream& out, const Volume& volume);
 /// read_volume() does, of the copy in the name of the flags' file.
 Volume read_named(const VolumeFlags& flags, const ReadOptions& options, const StagedFile& staged);
 
+/// The volume that the flags ask for. Throws as check_flags_fit_file, read_options and read_volume
+/// do.
+Volume read_flagged(const VolumeFlags& flags, VdbMargin margin);
+
+/// Takes the range, the level and the hint from the voxels. `is_mask_of_labels`: they were made
+/// from labels, which is no reason for a hint. Throws as iso_level does and, with --iso auto, as
+/// choose_iso().
+void settle_level(RunInput& run, const LevelFlags& flags, bool is_mask_of_labels);
+
 /// Reads the volume, prints its warnings to standard error, and settles the level, with --iso auto
 /// as choose_iso() does; the analysis is still empty. --max-memory, if given, bounds the process
 /// from here on. Throws as check_flags_agree, check_flags_fit_file, read_options, read_volume and

@@ -26,7 +26,7 @@ template <class Result>
 void run_and_report(const ProgressFlags& flags, const OutputFiles& outputs, Result& result,
                     const Course<Result>& course) {
   const auto start = std::chrono::steady_clock::now();
-  ProgressLine progress(std::cerr, progress_options(flags));
+  ProgressLine progress(flags.slicer ? std::cout : std::cerr, progress_options(flags));
   result = course.run(progress.callback());
   result.cost.peak_bytes = peak_resident_bytes();
   progress.clear();

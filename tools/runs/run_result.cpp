@@ -97,6 +97,8 @@ std::vector<Loop> select_loops(const std::vector<Loop>& loops, const LoopFilter&
   return selected;
 }
 
+AnyGridView voxels_of(const RunInput& run) { return run.voxels ? *run.voxels : view(run.volume); }
+
 std::vector<std::string> notes_of(const RunInput& run) {
   std::vector<std::string> notes = sentences_of(run.volume.notes);
   if (!run.iso_choice.empty())

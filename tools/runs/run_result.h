@@ -49,6 +49,7 @@ struct RunInput {
   std::string file{};                                     // as named on the command line
   std::shared_ptr<const std::filesystem::path> staged{};  // the copy of a pipe; null if it was none
   Volume volume{};
+  std::optional<AnyGridView> voxels{};  // of a volume whose values are held elsewhere
   ValueRange range{};
   std::optional<double> nan_as{};  // the value that was read in place of NaN
   IsoLevel level{};
@@ -57,6 +58,9 @@ struct RunInput {
   std::string hint{};  // what the values suggest, for a mask that was not read as one; or empty
   RunCost cost{};
 };
+
+/// The voxels of the run's volume, wherever they are held.
+AnyGridView voxels_of(const RunInput& run);
 
 /// A run of `count`: the analysis has no loops.
 struct CountRun : RunInput {
@@ -73,6 +77,7 @@ struct LoopsRun : CountRun {
   std::vector<Loop> reported{};     // select_loops(analysis.loops, filter)
   std::vector<Feature> features{};  // one for each of analysis.loops; empty: not looked for
   bool with_features = false;       // reports tell of them
+  std::string left_out{};           // what memory had no room for, a sentence; or empty
   std::optional<Scan> scan{};       // where a page is to show it
 };
 

@@ -21,30 +21,26 @@ namespace {
 constexpr int default_values = 256;
 constexpr double most_integers = 1024;
 
-bool holds_integers(const Volume& volume) {
-  return std::visit(
-      [](const auto& voxels) {
-        return std::is_integral_v<typename std::decay_t<decltype(voxels)>::value_type>;
-      },
-      volume.values);
+bool holds_integers(const AnyGridView& grid) {
+  return std::visit([]<class T>(const GridView<T>&) { return std::is_integral_v<T>; }, grid);
 }
 
 /// From the least to the greatest voxel, of finite ones where there are others; as
 /// core/grid/level.h takes the largest numbers.
-std::array<double, 2> finite_range(const Volume& volume, const ValueRange& voxels) {
+std::array<double, 2> finite_range(const AnyGridView& grid, const ValueRange& voxels) {
   constexpr double largest = 1e150;
   std::array<double, 2> range{voxels.min, voxels.max};
   if (!std::isfinite(voxels.min) || !std::isfinite(voxels.max)) {
     range = {largest, -largest};
     std::visit(
-        [&](const auto& values) {
-          for (const auto value : values) {
+        [&](const auto& view) {
+          for (const auto value : view.values) {
             const auto number = static_cast<double>(value);
             if (!std::isfinite(number)) continue;
             range = {std::min(range[0], number), std::max(range[1], number)};
           }
         },
-        volume.values);
+        grid);
     if (range[0] > range[1]) range = {0.0, 0.0};
   }
   for (double& end : range) end = std::clamp(end, -largest, largest);
@@ -53,9 +49,9 @@ std::array<double, 2> finite_range(const Volume& volume, const ValueRange& voxel
 
 }  // namespace
 
-std::vector<double> scan_values(const ScanRange& range, const Volume& volume,
+std::vector<double> scan_values(const ScanRange& range, const AnyGridView& grid,
                                 const ValueRange& voxels) {
-  const std::array<double, 2> finite = finite_range(volume, voxels);
+  const std::array<double, 2> finite = finite_range(grid, voxels);
   const double from = range.from.value_or(finite[0]);
   const double to = range.to.value_or(finite[1]);
   if (!std::isfinite(from) || !std::isfinite(to) || from > to)
@@ -63,7 +59,7 @@ std::vector<double> scan_values(const ScanRange& range, const Volume& volume,
                           " leave no iso value");
   if (range.values && (*range.values < 1 || *range.values > static_cast<int>(max_scan_values)))
     throw InvalidArgument("--values must be 1 to " + std::to_string(max_scan_values));
-  const bool integers = holds_integers(volume);
+  const bool integers = holds_integers(grid);
   const double all = std::floor(to) - std::ceil(from) + 1;
   const bool take_all = integers && !range.values && all <= most_integers;
   const int count = range.values.value_or(take_all ? static_cast<int>(all) : default_values);
@@ -97,7 +93,7 @@ IgnoredSize parse_ignored_size(std::string_view text) {
 Scan scan_of(const RunInput& run, const std::vector<double>& isos, const Progress& progress,
              const IgnoredSize& ignored) {
   return about_file(run.file, [&] {
-    return scan_and_propose(view(run.volume), isos,
+    return scan_and_propose(voxels_of(run), isos,
                             {.inside = run.level.inside,
                              .topology = run.level.topology,
                              .ignore_below = ignored.voxels,

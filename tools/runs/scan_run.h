@@ -9,7 +9,6 @@
 
 #include "core/base/progress.h"
 #include "tools/runs/run_result.h"
-#include "volume/voxels/volume.h"
 
 namespace isoloop {
 
@@ -32,7 +31,7 @@ IgnoredSize parse_ignored_size(std::string_view text);
 /// The iso values, ascending: evenly spaced, for volumes of integers rounded to integers. All
 /// integers of the range where it has no more than 1024 and no number is asked for. Throws
 /// InvalidArgument where the range is empty or not finite.
-std::vector<double> scan_values(const ScanRange& range, const Volume& volume,
+std::vector<double> scan_values(const ScanRange& range, const AnyGridView& grid,
                                 const ValueRange& voxels);
 
 /// The counts at `isos`, which ascend, and the iso value that they propose.

@@ -19,12 +19,14 @@ void add_progress_flags(CLI::App& command, ProgressFlags& flags) {
       .add_flag("--log-json", flags.log_json,
                 "write progress and errors to standard error as JSON, one object a line")
       ->excludes(quiet);
+  command.add_flag("--slicer", flags.slicer)->group("");
 }
 
 ProgressOptions progress_options(const ProgressFlags& flags) {
   ProgressOptions options;
-  options.enabled = flags.log_json || (!flags.quiet && stderr_is_terminal());
-  options.form = flags.log_json ? ProgressForm::json : ProgressForm::line;
+  options.enabled = flags.slicer || flags.log_json || (!flags.quiet && stderr_is_terminal());
+  if (flags.log_json) options.form = ProgressForm::json;
+  if (flags.slicer) options.form = ProgressForm::slicer;
   return options;
 }
 
@@ -61,6 +63,10 @@ void ProgressLine::show(const char* stage, double share_done) {
   const bool too_soon = same_stage && now - last_line_ < options_.between_lines;
   if (options_.form == ProgressForm::json) {
     if (!too_soon) write_json(lock);
+    return;
+  }
+  if (options_.form == ProgressForm::slicer) {
+    if (!too_soon) write_slicer(lock);
     return;
   }
   if (now - start_ < options_.quiet) return;
@@ -101,6 +107,13 @@ void ProgressLine::write_json(const std::lock_guard<std::mutex>&) {
                                         {"share", share_},
                                         {"seconds", told_after_.count()}};
   out_ << event.dump() + '\n' << std::flush;
+  last_line_ = Clock::now();
+}
+
+void ProgressLine::write_slicer(const std::lock_guard<std::mutex>&) {
+  out_ << "<filter-comment>" << stage_ << "</filter-comment>\n<filter-progress>"
+       << fixed_text(share_, 3) << "</filter-progress>\n"
+       << std::flush;
   last_line_ = Clock::now();
 }
 

@@ -16,16 +16,18 @@ namespace isoloop {
 struct ProgressFlags {
   bool quiet = false;
   bool log_json = false;
+  bool slicer = false;  // on standard output, as 3D Slicer reads it
 };
 
-/// Adds --quiet and --log-json. `flags` must outlive the parse.
+/// Adds --quiet and --log-json, and --slicer, of which the help says nothing. `flags` must outlive
+/// the parse.
 void add_progress_flags(CLI::App& command, ProgressFlags& flags);
 
-enum class ProgressForm { line, json };
+enum class ProgressForm { line, json, slicer };
 
 struct ProgressOptions {
   bool enabled = true;                           // false: stays silent
-  ProgressForm form = ProgressForm::line;        // json: an object for each call, from the start
+  ProgressForm form = ProgressForm::line;        // others: one for each call, from the start
   std::chrono::milliseconds quiet{1000};         // after the start: no line is shown before
   std::chrono::milliseconds between_lines{100};  // the least time from one line to the next
 };
@@ -41,8 +43,9 @@ std::string time_left_text(std::chrono::duration<double> left);
 
 /// Rewrites one line of `out` with the stage, its share and the time left, again every second. At
 /// most one line is ever there, and none once the object is gone. As JSON one object a line
-/// instead: "event" ("progress"), "stage", "share", "seconds" since the start. Calls may come from
-/// any thread.
+/// instead: "event" ("progress"), "stage", "share", "seconds" since the start; for 3D Slicer two
+/// elements of XML, <filter-comment> with the stage and <filter-progress> with the share. Calls may
+/// come from any thread.
 class ProgressLine {
  public:
   /// `out` must outlive the object.
@@ -65,6 +68,7 @@ class ProgressLine {
 
   void write_line(const std::lock_guard<std::mutex>& held);
   void write_json(const std::lock_guard<std::mutex>& held);
+  void write_slicer(const std::lock_guard<std::mutex>& held);
   void tick(const std::stop_token& stop);
 
   std::ostream& out_;

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <type_traits>
+
+#include "volume/voxels/value_range.h"
 
 namespace isoloop {
 namespace {
@@ -103,9 +106,12 @@ std::optional<VoxelType> parse_voxel_type(std::string_view name) {
   return std::nullopt;
 }
 
-ValueRange value_range(const Volume& volume) {
+ValueRange value_range(const Volume& volume) { return value_range(view(volume)); }
+
+ValueRange value_range(const AnyGridView& grid) {
   return std::visit(
-      []<class T>(const std::vector<T>& values) {
+      []<class T>(const GridView<T>& view) {
+        const std::span<const T> values = view.values;
         std::vector<T> distinct;  // in the order in which they are met
         const auto begin = first_number(values.begin(), values.end());
         if (begin == values.end()) return ValueRange{};
@@ -123,7 +129,7 @@ ValueRange value_range(const Volume& volume) {
         range.distinct.assign(distinct.begin(), distinct.end());
         return range;
       },
-      volume.values);
+      grid);
 }
 
 }  // namespace isoloop

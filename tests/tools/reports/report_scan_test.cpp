@@ -112,35 +112,38 @@ Volume volume_of(const VoxelArray& values) {
 
 TEST(ScanValues, AreAllIntegersOfASmallRange) {
   const Volume bytes = volume_of(std::vector<std::uint8_t>());
-  const auto values = scan_values({}, bytes, {3, 255});
+  const auto values = scan_values({}, view(bytes), {3, 255});
   EXPECT_EQ(values.size(), 253U);
   EXPECT_EQ(values.front(), 3.0);
   EXPECT_EQ(values.back(), 255.0);
-  EXPECT_EQ(scan_values({.values = 3, .from = 0, .to = 5}, bytes, {3, 255}),
+  EXPECT_EQ(scan_values({.values = 3, .from = 0, .to = 5}, view(bytes), {3, 255}),
             (std::vector<double>{0, 3, 5}));
 }
 
 TEST(ScanValues, AreEvenlySpacedElsewhere) {
   const Volume floats = volume_of(std::vector<float>());
-  EXPECT_EQ(scan_values({}, floats, {-1, 1}).size(), 256U);
-  EXPECT_EQ(scan_values({.values = 3, .from = {}, .to = {}}, floats, {-1, 1}),
+  EXPECT_EQ(scan_values({}, view(floats), {-1, 1}).size(), 256U);
+  EXPECT_EQ(scan_values({.values = 3, .from = {}, .to = {}}, view(floats), {-1, 1}),
             (std::vector<double>{-1, 0, 1}));
-  EXPECT_EQ(scan_values({}, floats, {2, 2}), std::vector<double>{2});
+  EXPECT_EQ(scan_values({}, view(floats), {2, 2}), std::vector<double>{2});
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const Volume some =
       volume_of(std::vector<float>{-3.0F, std::numeric_limits<float>::infinity(), 5.0F});
-  const auto between = scan_values({}, some, {-3, infinite, {}});
+  const auto between = scan_values({}, view(some), {-3, infinite, {}});
   EXPECT_EQ(between.front(), -3.0);
   EXPECT_EQ(between.back(), 5.0) << "infinite voxels leave the finite ones their steps";
   const Volume shorts = volume_of(std::vector<std::int16_t>());
-  EXPECT_EQ(scan_values({}, shorts, {-1000, 30000}).size(), 256U);
+  EXPECT_EQ(scan_values({}, view(shorts), {-1000, 30000}).size(), 256U);
 }
 
 TEST(ScanValues, OfNothingAreRefused) {
   const Volume bytes = volume_of(std::vector<std::uint8_t>());
-  EXPECT_THROW(scan_values({.values = {}, .from = 5, .to = 4}, bytes, {0, 9}), InvalidArgument);
-  EXPECT_THROW(scan_values({.values = {}, .from = 4.2, .to = 4.4}, bytes, {0, 9}), InvalidArgument);
-  EXPECT_THROW(scan_values({.values = 0, .from = {}, .to = {}}, bytes, {0, 9}), InvalidArgument);
+  EXPECT_THROW(scan_values({.values = {}, .from = 5, .to = 4}, view(bytes), {0, 9}),
+               InvalidArgument);
+  EXPECT_THROW(scan_values({.values = {}, .from = 4.2, .to = 4.4}, view(bytes), {0, 9}),
+               InvalidArgument);
+  EXPECT_THROW(scan_values({.values = 0, .from = {}, .to = {}}, view(bytes), {0, 9}),
+               InvalidArgument);
 }
 
 }  // namespace

@@ -1,0 +1,502 @@
+"""What runs find: small classes with attributes, tables for NumPy, and the command's JSON."""
+
+from __future__ import annotations
+
+import html
+import json
+import os
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple, Optional, Union, overload
+
+import numpy
+from numpy.typing import NDArray
+
+from . import _core
+from ._errors import UsageError
+
+Floats = NDArray[numpy.float64]
+
+
+class Betti(NamedTuple):
+    """Of the solid: separate pieces, ways through, and hollows closed off within."""
+
+    components: int
+    tunnels: int
+    cavities: int
+
+
+class Surface(NamedTuple):
+    """A closed mesh (with an open boundary it may end at the border of the volume)."""
+
+    vertices: NDArray[numpy.float32]
+    """Shape (n, 3)."""
+    triangles: NDArray[numpy.uint32]
+    """Shape (m, 3): corners in `vertices`, counter-clockwise seen from outside."""
+
+
+class SurfaceComponent(NamedTuple):
+    """One connected part of the surface; `bounds` is "solid", "cavity" or "unknown"."""
+
+    vertices: int
+    triangles: int
+    euler: int
+    genus: int
+    bounds: str
+    borders: int
+
+
+class Counts:
+    """Counts of the solid and of its surface.
+
+    Attributes
+    ----------
+    betti : Betti
+        components, tunnels, cavities; also attributes of their own.
+    vertices, triangles, euler, genus : int
+        Of the surface, all its components together.
+    parts : list of SurfaceComponent
+        Of the surface.
+    """
+
+    def __init__(self, counts: dict[str, Any]) -> None:
+        self.betti = Betti(*counts["betti"])
+        self.vertices: int = counts["vertices"]
+        self.triangles: int = counts["triangles"]
+        self.euler: int = counts["euler"]
+        self.genus: int = counts["genus"]
+        self.parts = [SurfaceComponent(**part) for part in counts["components"]]
+
+    @property
+    def components(self) -> int:
+        """Separate pieces of the solid."""
+        return self.betti.components
+
+    @property
+    def tunnels(self) -> int:
+        """Ways through the solid, as in a ring."""
+        return self.betti.tunnels
+
+    @property
+    def cavities(self) -> int:
+        """Hollows closed off inside the solid."""
+        return self.betti.cavities
+
+    def __repr__(self) -> str:
+        return (
+            f"<isoloop.Counts: {self.components} components, {self.tunnels} tunnels, "
+            f"{self.cavities} cavities>"
+        )
+
+
+class _Placed:
+    """What all results have: the frame that they lie in, and the command's JSON.
+
+    Attributes
+    ----------
+    spacing : Floats, shape (3,)
+        Length per voxel along each axis of the array.
+    affine : Floats, shape (4, 4)
+        Leads from indices of the array to the frame.
+    frame, unit, iso, inside, notes, warnings
+        As in the JSON; `inside` such as "f >= 70".
+    """
+
+    def __init__(self, run: Union[_core.CountRun, _core.ScanRun, _core.RepairRun]) -> None:
+        self._any_run = run
+        self.spacing: Floats = numpy.array(run.spacing)
+        self.affine: Floats = numpy.array(run.affine)
+        self.frame: str = run.frame
+        self.unit: str = run.unit
+        self.iso: float = run.iso
+        self.inside: str = run.inside
+        self.notes: list[str] = run.notes
+        self.warnings: list[str] = run.warnings
+
+    def to_json(self) -> str:
+        """The text that the command writes for --json."""
+        return self._any_run.json()
+
+    def to_dict(self) -> dict[str, Any]:
+        """The same, read; docs/manual.md has the fields."""
+        fields: dict[str, Any] = json.loads(self.to_json())
+        return fields
+
+    def to_world(self, indices: Any) -> Floats:
+        """Points given in voxel indices of the array, shape (..., 3), in the frame."""
+        world: Floats = numpy.asarray(indices, float) @ self.affine[:3, :3].T + self.affine[:3, 3]
+        return world
+
+    def table(self) -> str:
+        """What the command prints for people."""
+        return self._any_run.table()
+
+    def __str__(self) -> str:
+        return self.table().rstrip("\n")
+
+
+class SurfaceCounts(Counts, _Placed):
+    """What count() finds: the counts, and the surface that they are read off."""
+
+    def __init__(self, run: _core.CountRun) -> None:
+        Counts.__init__(self, run.counts)
+        _Placed.__init__(self, run)
+        self._run = run
+
+    def surface(self, world: bool = False) -> Surface:
+        """The mesh: vertices in index times spacing, or in the frame."""
+        points, triangles = self._run.points(), self._run.triangles()
+        if not world:
+            return Surface((points * self.spacing).astype(numpy.float32), triangles)
+        if self._run.mirrors:
+            triangles = triangles[:, [0, 2, 1]]
+        return Surface(self.to_world(points).astype(numpy.float32), triangles)
+
+    __str__ = _Placed.__str__
+
+
+class Feature(NamedTuple):
+    """How far a handle or tunnel extends; docs/features.md says what each measure means."""
+
+    label: int
+    area: float
+    depth: float
+    thickness: float
+    least_girth: float
+    mean_girth: float
+    axis: Floats
+    vertices: NDArray[numpy.uint32]
+
+
+class Loop:
+    """A handle loop or a tunnel loop.
+
+    Attributes
+    ----------
+    kind : str
+        "handle", "tunnel", or "loop" with an open boundary.
+    id : int
+        1, 2, ... within its kind, by size.
+    fix : str
+        "cut" or "fill": what takes it away; "none" where neither is known to.
+    length, found_length, size : float
+        Of all curves; before loops were exchanged for shorter ones; about half the girth there, inf
+        where it joins two components. Unit of the spacing.
+    component : int
+        Of the surface, its place in `parts`.
+    center_index, center, center_world : Floats, shape (3,)
+        In voxel indices of the array, times the spacing, and in the frame.
+    curves, curves_index, curves_world : list of Floats, shape (n, 3)
+        Closed curves: the last point joins the first. Index times spacing; voxel indices; the frame.
+    certificate : dict
+        "inside" and "outside": "trivial", "nontrivial" or "unknown".
+    feature : Feature or None
+        Where it was asked for.
+    """
+
+    def __init__(self, loops: Loops, row: int) -> None:
+        columns = loops._columns
+        self.kind: str = columns["kind"][row]
+        self.fix: str = columns["fix"][row]
+        self.id = int(columns["id"][row])
+        self.length = float(columns["length"][row])
+        self.found_length = float(columns["found_length"][row])
+        self.size = float(columns["size"][row])
+        self.component = int(columns["component"][row])
+        self.center_index: Floats = columns["center_index"][row]
+        self.center: Floats = self.center_index * loops.spacing
+        self.center_world: Floats = loops.to_world(self.center_index)
+        self.curves_index: list[Floats] = loops._curves_of(row)
+        self.certificate = _certificate(self.kind, int(columns["certificate"][row]))
+        self.feature = loops._feature_of(row)
+        self._loops = loops
+
+    @property
+    def curves(self) -> list[Floats]:
+        """Index times spacing."""
+        return [curve * self._loops.spacing for curve in self.curves_index]
+
+    @property
+    def curves_world(self) -> list[Floats]:
+        """In the frame."""
+        return [self._loops.to_world(curve) for curve in self.curves_index]
+
+    def __repr__(self) -> str:
+        center = ", ".join(f"{x:.1f}" for x in self.center_index)
+        return (
+            f"<isoloop.Loop: {self.kind} {self.id}, {self.fix}, length {self.length:.2f}, "
+            f"near voxel ({center})>"
+        )
+
+
+def _certificate(kind: str, bits: int) -> dict[str, str]:
+    if kind == "loop":
+        return {"inside": "unknown", "outside": "unknown"}
+    words = ("nontrivial", "trivial")
+    return {"inside": words[bits & 1], "outside": words[bits >> 1 & 1]}
+
+
+class Loops(SurfaceCounts, Sequence[Loop]):
+    """A sequence of Loop: handles first, then tunnels, each by size; with the counts and the surface.
+
+    `found` says how many there are before a filter.
+    """
+
+    def __init__(self, run: _core.LoopsRun) -> None:
+        super().__init__(run)
+        self._loops_run = run
+        self.found: int = run.found
+        self._columns = run.columns()
+        self._points, points_of_curve, curves_of_loop = run.curves()
+        self._curve_ends = numpy.concatenate([[0], numpy.cumsum(points_of_curve)])
+        self._loop_ends = numpy.concatenate([[0], numpy.cumsum(curves_of_loop)])
+        self._features = run.feature_columns()
+
+    def __len__(self) -> int:
+        return len(self._columns["id"])
+
+    @overload
+    def __getitem__(self, row: int) -> Loop: ...
+
+    @overload
+    def __getitem__(self, row: slice) -> list[Loop]: ...
+
+    def __getitem__(self, row: Union[int, slice]) -> Union[Loop, list[Loop]]:
+        if isinstance(row, slice):
+            return [Loop(self, i) for i in range(*row.indices(len(self)))]
+        if not -len(self) <= row < len(self):
+            raise IndexError(f"there are {len(self)} loops")
+        return Loop(self, row % len(self))
+
+    def __iter__(self) -> Iterator[Loop]:
+        return (Loop(self, row) for row in range(len(self)))
+
+    def of_kind(self, kind: str) -> list[Loop]:
+        """The "handle" loops, the "tunnel" loops, or those of an open boundary ("loop")."""
+        return [self[row] for row, its in enumerate(self._columns["kind"]) if its == kind]
+
+    @property
+    def handle_loops(self) -> list[Loop]:
+        """Those round the material beside a tunnel: cut there, and the handle is gone."""
+        return self.of_kind("handle")
+
+    @property
+    def tunnel_loops(self) -> list[Loop]:
+        """Those round an opening: fill there, and the tunnel is gone."""
+        return self.of_kind("tunnel")
+
+    def _curves_of(self, row: int) -> list[Floats]:
+        first, last = self._loop_ends[row], self._loop_ends[row + 1]
+        ends = self._curve_ends
+        return [self._points[ends[c] : ends[c + 1]] for c in range(first, last)]
+
+    def _feature_of(self, row: int) -> Optional[Feature]:
+        if len(self._features["label"]) == 0:
+            return None
+        values: dict[str, Any] = {name: column[row] for name, column in self._features.items()}
+        for name in ("area", "depth", "thickness", "least_girth", "mean_girth"):
+            values[name] = float(values[name])
+        values["label"] = int(values["label"])
+        return Feature(**values)
+
+    def to_numpy(self) -> NDArray[Any]:
+        """One row for each loop, of the attributes that are numbers or words.
+
+        A structured array: kind, id, fix, length, found_length, size, component, curves (their
+        number), center_index, center and center_world, and, where features were asked for, label,
+        area, depth, thickness, least_girth, mean_girth and axis.
+        """
+        names = ["length", "found_length", "size"]
+        fields: list[tuple[Any, ...]] = [("kind", "U6"), ("id", "i8"), ("fix", "U4")]
+        fields += [(name, "f8") for name in names]
+        fields += [("component", "i8"), ("curves", "i8")]
+        fields += [(name, "f8", (3,)) for name in ("center_index", "center", "center_world")]
+        columns = dict(self._columns, curves=numpy.diff(self._loop_ends))
+        columns["center"] = columns["center_index"] * self.spacing
+        columns["center_world"] = self.to_world(columns["center_index"])
+        if len(self._features["label"]) > 0:
+            measures = ["area", "depth", "thickness", "least_girth", "mean_girth"]
+            fields += [("label", "i8"), *((name, "f8") for name in measures), ("axis", "f8", (3,))]
+            columns.update(self._features)
+        table = numpy.empty(len(self), dtype=fields)
+        for field in fields:
+            table[field[0]] = columns[field[0]]
+        return table
+
+    @property
+    def labels(self) -> NDArray[Any]:
+        """The array's shape: voxels beside a loop's feature have its label, all others 0."""
+        if len(self._features["label"]) == 0 and len(self) > 0:
+            raise UsageError("labels are those of features; ask for them by isoloop.features()")
+        return self._loops_run.labels()
+
+    def to_csv(self) -> str:
+        """The text that the command writes for --csv."""
+        return self._loops_run.csv()
+
+    def write(self, path: Union[str, os.PathLike[str]]) -> None:
+        """Writes .json, .csv, or .ply (the surface, and a tube round each loop).
+
+        Raises UsageError for another ending, InvalidInput where it cannot be written.
+        """
+        name = os.fspath(path)
+        if not name.endswith((".json", ".csv", ".ply")) or name.endswith(".mrk.json"):
+            raise UsageError(f"{name}: results are written as .json, .csv or .ply")
+        self._loops_run.write(name)
+
+    def write_surface(self, path: Union[str, os.PathLike[str]]) -> None:
+        """Writes the surface alone: .ply, .obj, .stl or .vtp, in the frame."""
+        self._loops_run.write_surface(os.fspath(path))
+
+    def write_curves(self, path: Union[str, os.PathLike[str]]) -> None:
+        """Writes the loops alone: .vtp, .obj or .mrk.json (3D Slicer), in the frame."""
+        self._loops_run.write_curves(os.fspath(path))
+
+    def __repr__(self) -> str:
+        shown = f"{len(self)} loops" if len(self) == self.found else f"{len(self)} of {self.found} loops"
+        return f"<isoloop.Loops: {shown}, {Counts.__repr__(self)[17:]}"
+
+
+class Plateau(NamedTuple):
+    """Iso values between which all counts are the same, but for what the scan sets aside."""
+
+    least: float
+    most: float
+    width: float
+    meaningful: bool
+    betti: Betti
+
+
+class Scan(_Placed):
+    """The counts at many iso values.
+
+    Attributes
+    ----------
+    rows : structured array
+        One row for each iso value: iso, b0, b1, b2, euler, genus, inside_voxels, and large_b0,
+        large_b1, large_b2 without what is set aside.
+    plateaus : list of Plateau
+        In the order of the rows.
+    proposed : float or None
+        The iso value to look at first.
+    ignored_below : int
+        Voxels: what is set aside, as components of less.
+    """
+
+    def __init__(self, run: _core.ScanRun) -> None:
+        super().__init__(run)
+        self._run = run
+        columns = run.columns()
+        self.rows = numpy.empty(
+            len(columns["iso"]), dtype=[(name, column.dtype) for name, column in columns.items()]
+        )
+        for name, column in columns.items():
+            self.rows[name] = column
+        self.plateaus = [self._plateau(*plateau) for plateau in run.plateaus()]
+        self.ignored_below: int = run.ignored_below
+        self.proposed: Optional[float] = (
+            None if run.proposed is None else float(self.rows["iso"][run.proposed])
+        )
+
+    def _plateau(self, first: int, last: int, width: float, meaningful: bool) -> Plateau:
+        row = self.rows[first]
+        betti = Betti(int(row["b0"]), int(row["b1"]), int(row["b2"]))
+        return Plateau(float(row["iso"]), float(self.rows["iso"][last]), width, meaningful, betti)
+
+    def to_numpy(self) -> NDArray[Any]:
+        """The rows."""
+        return self.rows
+
+    def to_csv(self) -> str:
+        """The text that the command writes for --csv."""
+        return self._run.csv()
+
+    def to_svg(self) -> str:
+        """The counts as curves over the iso value."""
+        return self._run.svg()
+
+    def _repr_html_(self) -> str:
+        return self.to_svg()
+
+    def __repr__(self) -> str:
+        return f"<isoloop.Scan: {len(self.rows)} iso values, proposed {self.proposed}>"
+
+
+class Removal(NamedTuple):
+    """One handle or tunnel that was removed.
+
+    `kind` and `id` name the loop, in the `round` of analysis (1: of the array as it came); `along`
+    the one that was cut along or filled. `length` in the unit of the spacing.
+    """
+
+    kind: str
+    id: int
+    round: int
+    length: float
+    action: str
+    along: tuple[str, int]
+    voxels: int
+    center_index: Floats
+
+
+class Repair(_Placed):
+    """Voxels that were changed so that handles and tunnels go, and nothing else does.
+
+    Attributes
+    ----------
+    array : numpy.ndarray
+        A copy of the array with the changes.
+    changed : bool array
+        Of its shape: where they are.
+    removals : list of Removal
+    before, after : Counts
+    added_voxels, removed_voxels : int
+        Now inside; now outside.
+    """
+
+    def __init__(
+        self, run: _core.RepairRun, array: NDArray[Any], changed: NDArray[numpy.bool_]
+    ) -> None:
+        super().__init__(run)
+        self.before = Counts(run.before)
+        self.after = Counts(run.after)
+        self.removals = [Removal(**removal) for removal in run.removals()]
+        self.added_voxels: int = run.added_voxels
+        self.removed_voxels: int = run.removed_voxels
+        self.array = array
+        self.changed = changed
+
+    def __repr__(self) -> str:
+        return (
+            f"<isoloop.Repair: {len(self.removals)} removed, {self.before.tunnels} tunnels before, "
+            f"{self.after.tunnels} after, {int(self.changed.sum())} voxels changed>"
+        )
+
+
+class Page:
+    """A page to look at: one file of HTML, which a notebook shows and save() writes.
+
+    Attributes
+    ----------
+    html : str
+        The page.
+    loops : Loops
+        What it shows.
+    """
+
+    def __init__(self, text: str, loops: Loops) -> None:
+        self.html = text
+        self.loops = loops
+
+    def save(self, path: Union[str, os.PathLike[str]]) -> None:
+        """Writes the page, which any browser opens without a network."""
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self.html)
+
+    def _repr_html_(self) -> str:
+        return (
+            '<iframe style="width: 100%; height: 640px; border: 0" '
+            f'srcdoc="{html.escape(self.html)}"></iframe>'
+        )
+
+    def __repr__(self) -> str:
+        return f"<isoloop.Page of {len(self.html.encode()) / 1e6:.1f} MB: {self.loops!r}>"

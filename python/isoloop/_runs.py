@@ -1,0 +1,530 @@
+"""The functions that users call: count, loops, features, scan, repair, view."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from typing import Any, Optional, Union
+
+import numpy
+from numpy.typing import ArrayLike, NDArray
+
+from . import _arrays, _core
+from ._arrays import Spacing
+from ._errors import UsageError
+from ._results import Loops, Page, Repair, Scan, SurfaceCounts
+from ._volume import Path, Progress, Volume, read, warn
+
+AnyVolume = Union[Volume, ArrayLike, "os.PathLike[str]"]
+Iso = Union[None, float, str, Sequence[float]]
+Labels = Union[None, int, Sequence[int]]
+Memory = Union[None, int, str]
+
+
+def _level(
+    iso: Iso,
+    inside: Optional[str],
+    topology: Optional[str],
+    connectivity: Optional[int],
+    open_boundary: bool,
+    label: Labels,
+) -> _core.LevelFlags:
+    flags = _core.LevelFlags()
+    if isinstance(iso, str):
+        _want("iso", iso, ("auto",))
+        flags.iso = iso
+    elif iso is not None:
+        flags.iso = " ".join(repr(float(value)) for value in numpy.atleast_1d(iso))
+    _want("inside", inside, ("above", "below"))
+    _want("topology", topology, ("trilinear", "simple"))
+    _want("connectivity", connectivity, (6, 18, 26))
+    if topology is not None and connectivity is not None:
+        raise UsageError("topology= does not go with connectivity=, which takes its place")
+    if label is not None and (iso is not None or inside is not None):
+        raise UsageError("iso= and inside= do not go with label=, which says what is inside")
+    flags.inside = inside or ""
+    flags.topology = topology or "trilinear"
+    flags.connectivity = "" if connectivity is None else str(connectivity)
+    flags.open_boundary = open_boundary
+    return flags
+
+
+def _want(name: str, value: Any, known: Sequence[Any]) -> None:
+    if value is not None and value not in known:
+        raise UsageError(f"{name}={value!r} is none of {', '.join(map(repr, known))}")
+
+
+def _limits(threads: int, max_memory: Memory) -> _core.Limits:
+    if threads < 0 or threads > 1 << 16:
+        raise UsageError(f"threads={threads} must be 0 (one for each core) to 65536")
+    return _core.Limits(threads, _core.bytes_of(str(max_memory)) if max_memory is not None else 0)
+
+
+def _volume(volume: AnyVolume, open_boundary: bool = False) -> Any:
+    """A path is read."""
+    if isinstance(volume, (str, os.PathLike)):
+        return read(volume, open_boundary=open_boundary)
+    return volume
+
+
+def _input(
+    volume: Any,
+    label: Labels,
+    spacing: Optional[Spacing],
+    affine: Optional[ArrayLike],
+    frame: Optional[str],
+    unit: str,
+    nan_as: Optional[float],
+) -> _core.Input:
+    if isinstance(volume, Volume):
+        given = {"spacing": spacing, "affine": affine, "frame": frame, "nan_as": nan_as}
+        for name, value in given.items():
+            if value is not None:
+                raise UsageError(f"{name}= goes with arrays; for a file, give it to isoloop.read()")
+        made = _core.input_of_volume(volume._held)
+    else:
+        made = _arrays.input_of(volume, spacing, affine, frame, unit, nan_as)
+    if label is None:
+        return made
+    return _core.input_of_labels(made, [int(one) for one in numpy.atleast_1d(label)])
+
+
+def count(
+    volume: AnyVolume,
+    iso: Iso = None,
+    *,
+    inside: Optional[str] = None,
+    topology: Optional[str] = None,
+    connectivity: Optional[int] = None,
+    label: Labels = None,
+    open_boundary: bool = False,
+    spacing: Optional[Spacing] = None,
+    affine: Optional[ArrayLike] = None,
+    frame: Optional[str] = None,
+    unit: str = "",
+    nan_as: Optional[float] = None,
+    threads: int = 0,
+    max_memory: Memory = None,
+    progress: Optional[Progress] = None,
+) -> SurfaceCounts:
+    """Counts components, tunnels and cavities of a solid, exactly; finds no loops, so fast.
+
+    Parameters
+    ----------
+    volume : array of 3 axes, Volume, or path
+        Of any integer type, float16 to float64, or bool (a mask). Its memory is read where it lies
+        if its numbers are packed, in whatever order of axes; else it is copied, in its type.
+    iso : float, (lower, upper), or "auto"
+        The solid's voxels are those from this value on, or between the two; "auto" takes what scan()
+        proposes, and `notes` say so. Booleans, masks of `label` and level sets of files need none.
+    inside : {"above", "below"}
+        "below": the solid's voxels are those up to `iso`.
+    topology : {"trilinear", "simple"}
+        How the surface runs within the cubes between voxels.
+    connectivity : {6, 18, 26}
+        Of a mask, in place of `topology`: across what its voxels are joined.
+    label : int or sequence of ints
+        Of a label map: these labels are the solid.
+    open_boundary : bool
+        Lets the surface end at the border of the array; its sides are not told apart then.
+    spacing : float or 3 floats
+        Length per voxel along each axis of the array.
+    affine : (4, 4)
+        In its place: leads from indices of the array to the world, as nibabel has it. Axes must be
+        at right angles. `frame`: "ras", "lps" or "world", for reports.
+    unit : str
+        Of `spacing` or `affine`, for reports.
+    nan_as : float
+        Takes the place of NaN, which is refused else.
+    threads : int
+        At most; 0: one for each core. Results are the same for any number.
+    max_memory : int or str
+        Most bytes beside the array, such as "4G"; by default 80 % of what is free.
+    progress : callable
+        Called with a stage (str) and the share done (0 to 1); may raise, which ends the run.
+
+    Returns
+    -------
+    SurfaceCounts
+        betti, genus and so on, and the surface.
+
+    Raises
+    ------
+    UsageError
+        For arguments that make no sense for the array, such as none for `iso`.
+    InvalidInput
+        For NaN among the voxels, and an affine with sheared axes.
+    LimitExceeded
+        Before more memory is taken than allowed.
+
+    Notes
+    -----
+    What is connected is decided without rounding (docs/topology.md). Homology after Dey, Li, Sun and
+    Cohen-Steiner, Computing geometry-aware handle and tunnel loops in 3D models, SIGGRAPH 2008.
+
+    Examples
+    --------
+    >>> import isoloop, numpy
+    >>> ring = numpy.zeros((5, 9, 9), bool)
+    >>> ring[1:4, 1:8, 1:8] = True
+    >>> ring[:, 3:6, 3:6] = False
+    >>> isoloop.count(ring)
+    <isoloop.Counts: 1 components, 1 tunnels, 0 cavities>
+    """
+    volume = _volume(volume, open_boundary)
+    run = _core.count(
+        _input(volume, label, spacing, affine, frame, unit, nan_as),
+        _level(iso, inside, topology, connectivity, open_boundary, label),
+        _limits(threads, max_memory),
+        progress,
+    )
+    warn(run.warnings[len(volume.warnings) if isinstance(volume, Volume) else 0 :])
+    return SurfaceCounts(run)
+
+
+def _asked(
+    level: _core.LevelFlags,
+    geodesic: str,
+    engine: str,
+    refine: Optional[str],
+    tighten: Optional[str],
+    side: str,
+    sizes: tuple[float, float],
+) -> _core.LoopsInput:
+    _want("geodesic", geodesic, ("hierarchy", "exact"))
+    _want("engine", engine, ("dual", "pair"))
+    _want("refine", refine, ("none", "1", "2", "both"))
+    _want("tighten", tighten, ("none", "basis", "curve"))
+    _want("side", side, ("handle", "tunnel", "both"))
+    if level.open_boundary and side != "both":
+        raise UsageError("side= does not go with open_boundary=, which tells no sides apart")
+    if not sizes[0] <= sizes[1]:
+        raise UsageError("min_size= and max_size= leave nothing to report")
+    asked = _core.LoopsInput()
+    asked.level = level
+    engine_flags = _core.EngineFlags()
+    engine_flags.engine, engine_flags.refine = engine, refine or ""
+    engine_flags.tighten = tighten or ""
+    asked.engine = engine_flags
+    asked.geodesic = geodesic
+    filters = _core.LoopFilter()
+    filters.min_size, filters.max_size = sizes
+    filters.handles, filters.tunnels = side != "tunnel", side != "handle"
+    asked.filter = filters
+    return asked
+
+
+def loops(
+    volume: AnyVolume,
+    iso: Iso = None,
+    *,
+    inside: Optional[str] = None,
+    topology: Optional[str] = None,
+    connectivity: Optional[int] = None,
+    label: Labels = None,
+    open_boundary: bool = False,
+    geodesic: str = "hierarchy",
+    tighten: Optional[str] = None,
+    engine: str = "dual",
+    refine: Optional[str] = None,
+    side: str = "both",
+    min_size: float = 0.0,
+    max_size: float = float("inf"),
+    feature_ratio: Optional[float] = None,
+    spacing: Optional[Spacing] = None,
+    affine: Optional[ArrayLike] = None,
+    frame: Optional[str] = None,
+    unit: str = "",
+    nan_as: Optional[float] = None,
+    threads: int = 0,
+    max_memory: Memory = None,
+    progress: Optional[Progress] = None,
+) -> Loops:
+    """Finds, proves and measures every handle loop and tunnel loop of a solid.
+
+    Parameters
+    ----------
+    volume, iso, inside, topology, connectivity, label, open_boundary
+        As for count().
+    geodesic : {"hierarchy", "exact"}
+        How sizes are measured (docs/sizes.md).
+    tighten : {"none", "basis", "curve"}
+        Loops as found, exchanged for shorter ones (the default), or also drawn across triangles.
+    engine : {"dual", "pair"}
+        "pair" is the paper's algorithm as printed; `refine` is "none", "1", "2" or "both".
+    side : {"both", "handle", "tunnel"}
+        Which kind to report; `min_size` and `max_size`: which sizes, in the unit of the spacing.
+    feature_ratio : float
+        Also says how far each handle and tunnel extends, as features() does.
+    spacing, affine, frame, unit, nan_as, threads, max_memory, progress
+        As for count().
+
+    Returns
+    -------
+    Loops
+        A sequence of Loop. For arrays whose memory runs in another order of axes, loops of equal
+        length may be exchanged; their number and kinds never are.
+
+    Raises
+    ------
+    UsageError, InvalidInput, LimitExceeded
+        As count() does.
+    SelfCheckFailed
+        If any proof fails: no unproved loop is ever returned.
+
+    Examples
+    --------
+    >>> import isoloop
+    >>> found = isoloop.loops(isoloop.generate("torus", size=32))
+    >>> [loop.kind for loop in found]
+    ['handle', 'tunnel']
+    """
+    volume = _volume(volume, open_boundary)
+    level = _level(iso, inside, topology, connectivity, open_boundary, label)
+    asked = _asked(level, geodesic, engine, refine, tighten, side, (min_size, max_size))
+    if feature_ratio is not None:
+        if open_boundary:
+            raise UsageError("features do not go with open_boundary=")
+        if not 1.0 <= feature_ratio < float("inf"):
+            raise UsageError("feature_ratio= must be a number from 1 on")
+        asked.set_feature_ratio(feature_ratio)
+    run = _core.loops(
+        _input(volume, label, spacing, affine, frame, unit, nan_as),
+        asked,
+        _limits(threads, max_memory),
+        progress,
+    )
+    warn(run.warnings[len(volume.warnings) if isinstance(volume, Volume) else 0 :])
+    return Loops(run)
+
+
+def features(volume: AnyVolume, iso: Iso = None, *, feature_ratio: float = 1.5, **given: Any) -> Loops:
+    """Finds the loops, and how far each handle and tunnel extends.
+
+    Parameters
+    ----------
+    volume, iso, **given
+        As for loops().
+    feature_ratio : float
+        A feature ends where its girth exceeds this times its loop's length; 1.5 is half a radius
+        beyond the mouth of a bore. At least 1.
+
+    Returns
+    -------
+    Loops
+        Each Loop has a `feature`; `labels` is an array of their voxels.
+
+    Raises
+    ------
+    UsageError, InvalidInput, LimitExceeded, SelfCheckFailed
+        As loops() does.
+    """
+    return loops(volume, iso, feature_ratio=feature_ratio, **given)
+
+
+def scan(
+    volume: AnyVolume,
+    *,
+    values: Optional[int] = None,
+    from_: Optional[float] = None,
+    to: Optional[float] = None,
+    ignore_below: Union[None, int, str] = None,
+    inside: Optional[str] = None,
+    topology: Optional[str] = None,
+    spacing: Optional[Spacing] = None,
+    affine: Optional[ArrayLike] = None,
+    frame: Optional[str] = None,
+    unit: str = "",
+    nan_as: Optional[float] = None,
+    threads: int = 0,
+    max_memory: Memory = None,
+    progress: Optional[Progress] = None,
+) -> Scan:
+    """Counts components, tunnels and cavities at many iso values at once, and proposes one.
+
+    Parameters
+    ----------
+    values : int
+        How many iso values; by default 256, or all integers of a small range.
+    from_, to : float
+        The least and the largest of them; by default those of the voxels.
+    ignore_below : int or str
+        Parts of fewer voxels, or of less than a share of the largest ("0.1%"), do not break a
+        plateau.
+    volume, inside, topology, spacing, affine, frame, unit, nan_as, threads, max_memory, progress
+        As for count().
+
+    Returns
+    -------
+    Scan
+        In a notebook it shows its curves.
+
+    Raises
+    ------
+    UsageError, InvalidInput, LimitExceeded
+        As count() does.
+    """
+    volume = _volume(volume)
+    scan_range = _core.ScanRange()
+    scan_range.values, scan_range.least, scan_range.most = values, from_, to
+    return Scan(
+        _core.scan(
+            _input(volume, None, spacing, affine, frame, unit, nan_as),
+            _level(None, inside, topology, None, False, None),
+            scan_range,
+            "" if ignore_below is None else str(ignore_below),
+            _limits(threads, max_memory),
+            progress,
+        )
+    )
+
+
+def repair(
+    volume: AnyVolume,
+    iso: Iso = None,
+    *,
+    fill_tunnels: Optional[float] = None,
+    cut_handles: Optional[float] = None,
+    auto: Optional[float] = None,
+    ids: Union[str, Sequence[str]] = "",
+    side: str = "",
+    genus: Optional[int] = None,
+    inside: Optional[str] = None,
+    topology: Optional[str] = None,
+    connectivity: Optional[int] = None,
+    label: Labels = None,
+    spacing: Optional[Spacing] = None,
+    affine: Optional[ArrayLike] = None,
+    frame: Optional[str] = None,
+    unit: str = "",
+    nan_as: Optional[float] = None,
+    threads: int = 0,
+    max_memory: Memory = None,
+    progress: Optional[Progress] = None,
+) -> Repair:
+    """Removes handles and tunnels by changing few voxels, and nothing else; returns a copy.
+
+    Parameters
+    ----------
+    fill_tunnels, cut_handles, auto : float
+        Tunnels to fill, handles to cut, or either, whose loops are shorter than this, in the unit of
+        the spacing.
+    ids : str, or sequence of str
+        Loops of loops(), such as "h3,t7"; numbers alone with `side`, "handle" or "tunnel".
+    genus : int
+        Removes the shortest until the surface has this genus or less.
+    volume, iso, inside, topology, connectivity, label, spacing, affine, frame, unit, nan_as, threads,
+    max_memory, progress
+        As for count().
+
+    Returns
+    -------
+    Repair
+        Its `array` is of the array's type; for `label` a mask of 0 and 1 (uint8).
+
+    Raises
+    ------
+    UsageError, InvalidInput, LimitExceeded
+        As count() does; UsageError also for an id that does not exist.
+    SelfCheckFailed
+        If a loop cannot be removed so, naming it.
+
+    Examples
+    --------
+    >>> import isoloop, numpy
+    >>> ring = numpy.zeros((5, 9, 9), bool)
+    >>> ring[1:4, 1:8, 1:8] = True
+    >>> ring[:, 3:6, 3:6] = False
+    >>> isoloop.count(isoloop.repair(ring, genus=0).array).tunnels
+    0
+    """
+    volume = _volume(volume)
+    _want("side", side or None, ("handle", "tunnel"))
+    asked = _core.RepairFlags()
+    lengths = ("" if one is None else repr(float(one)) for one in (fill_tunnels, cut_handles, auto))
+    asked.fill_tunnels, asked.cut_handles, asked.either = lengths
+    asked.genus, asked.side = genus, side
+    asked.ids = ids if isinstance(ids, str) else ",".join(ids)
+    made = _input(volume, label, spacing, affine, frame, unit, nan_as)
+    run = _core.repair(
+        made,
+        _level(iso, inside, topology, connectivity, False, label),
+        asked,
+        _limits(threads, max_memory),
+        progress,
+    )
+    array, changed = _changed(made, run)
+    if label is None and numpy.asarray(volume).dtype == bool:
+        array = array.view(bool)
+    return Repair(run, array, changed)
+
+
+def _changed(made: _core.Input, run: _core.RepairRun) -> tuple[NDArray[Any], NDArray[numpy.bool_]]:
+    """A copy of the voxels with the run's changes, and where these are."""
+    array: NDArray[Any] = made.voxels().copy(order="K")
+    changed = numpy.zeros(array.shape, bool)
+    voxels, values = run.changes()
+    along_memory = numpy.unravel_index(voxels, array.transpose(made.axes).shape, order="F")
+    array.transpose(made.axes)[along_memory] = values
+    changed.transpose(made.axes)[along_memory] = True
+    return array, changed
+
+
+def view(
+    volume: AnyVolume,
+    iso: Iso = None,
+    output: Optional[Path] = None,
+    *,
+    triangles: int = 120_000,
+    feature_ratio: float = 1.5,
+    inside: Optional[str] = None,
+    topology: Optional[str] = None,
+    connectivity: Optional[int] = None,
+    label: Labels = None,
+    open_boundary: bool = False,
+    geodesic: str = "hierarchy",
+    side: str = "both",
+    spacing: Optional[Spacing] = None,
+    affine: Optional[ArrayLike] = None,
+    frame: Optional[str] = None,
+    unit: str = "",
+    nan_as: Optional[float] = None,
+    threads: int = 0,
+    max_memory: Memory = None,
+    progress: Optional[Progress] = None,
+) -> Page:
+    """Finds the loops and makes a page to look at them, which a notebook shows.
+
+    Parameters
+    ----------
+    output : path
+        Where to write the page; None: nowhere, it is text in memory.
+    triangles : int
+        Most triangles of the surface as it is drawn.
+    volume, iso, ...
+        As for loops().
+
+    Returns
+    -------
+    Page
+
+    Raises
+    ------
+    UsageError, InvalidInput, LimitExceeded, SelfCheckFailed
+        As loops() does.
+    """
+    if triangles < 1:
+        raise UsageError("triangles= must be at least 1")
+    volume = _volume(volume, open_boundary)
+    level = _level(iso, inside, topology, connectivity, open_boundary, label)
+    asked = _asked(level, geodesic, "dual", None, None, side, (0.0, float("inf")))
+    asked.with_scan = asked.features_may_lack = True
+    asked.set_feature_ratio(feature_ratio)
+    made = _input(volume, label, spacing, affine, frame, unit, nan_as)
+    run = _core.loops(made, asked, _limits(threads, max_memory), progress)
+    warn(([run.left_out] if run.left_out else []))
+    drawn = _arrays.input_of(numpy.asfortranarray(made.voxels()))
+    page = Page(_core.page(run, drawn, triangles), Loops(run))
+    if output is not None:
+        page.save(output)
+    return page
