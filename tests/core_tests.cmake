@@ -7,7 +7,7 @@ isoloop_add_tests(isoloop_core_tests
     core/sizes/bounded_search_test.cpp
     core/sizes/bucket_queue_test.cpp
     core/loops/certificate_test.cpp
-    core/repair/class_passage_test.cpp
+    core/repair/homology_map_test.cpp
     core/sizes/closest_test.cpp
     core/cube/connectivity_test.cpp
     core/cube/cube_interior_test.cpp
@@ -46,11 +46,11 @@ isoloop_add_tests(isoloop_core_tests
     core/scan/proposal_test.cpp
     core/scan/sized_sets_test.cpp
     core/repair/repair_test.cpp
-    core/base/rows_test.cpp
+    core/base/compressed_rows_test.cpp
     core/base/run_both_test.cpp
     core/scan/scan_test.cpp
     core/tighten/shortest_basis_test.cpp
-    core/cube/sides_test.cpp
+    core/cube/voxel_sides_test.cpp
     core/curves/sleeve_test.cpp
     core/engines/spanning_forest_test.cpp
     core/tighten/straighten_test.cpp
@@ -63,6 +63,7 @@ isoloop_add_tests(isoloop_core_tests
     core/sizes/vertex_pairs_test.cpp
     core/repair/voxel_values_test.cpp
     core/z2/z2_basis_test.cpp
+    core/z2/z2_vector_test.cpp
     core/engines/zero_labels_test.cpp
     oracles/cube_geometry.cpp
     oracles/exact_basis.cpp

@@ -2,24 +2,14 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "core/base/memory_budget.h"
 #include "core/base/progress.h"
-#include "core/complex/grid_complex.h"
-#include "core/cube/sides.h"
-#include "core/engines/dual_pass.h"
 #include "core/engines/pair.h"
 #include "core/grid/grid.h"
-#include "core/loops/certificate.h"
-#include "core/loops/killing_border.h"
-#include "core/loops/loops.h"
-#include "core/sizes/geodesic_size.h"
 #include "core/surface/betti.h"
-#include "core/surface/edge_index.h"
 #include "core/surface/surface.h"
-#include "core/z2/z2_basis.h"
 #include "isoloop/loop.h"
 
 namespace isoloop {
@@ -64,28 +54,6 @@ struct Analysis {
   StageSeconds seconds;
 };
 
-/// One side of M with its labels, the borders of the surfaces that these span, and the borders'
-/// classes, which say what each loop closes.
-struct WorkedSide {
-  std::unique_ptr<GridComplex> complex;
-  DualPass pass;
-  KillingBorders borders;
-  Z2Basis border_classes;
-};
-
-/// An analysis and all that it was made with, for what goes on from the loops. Where M has no loops
-/// there are no complexes. Sides and edges stay where they are: the complexes refer to them.
-struct Workings {
-  std::unique_ptr<const Sides> sides;
-  std::unique_ptr<const EdgeIndex> edges;
-  WorkedSide inside;
-  WorkedSide outside;
-  SurfaceClasses classes;
-  Analysis analysis;
-
-  const WorkedSide& on(Side side) const { return side == Side::inside ? inside : outside; }
-};
-
 /// Both throw LimitExceeded before a stage that would take more than options.max_bytes.
 
 /// The surface and the counts alone: no sizes, no loops (`seconds` past surface stay 0).
@@ -95,11 +63,7 @@ Analysis count_topology(const AnyGridView& grid, const IsoLevel& level,
 /// Finds and proves every handle loop and tunnel loop of the iso-surface. Deterministic: the same
 /// bytes for any number of threads. Throws InvalidInput (NaN in the grid), LimitExceeded,
 /// and SelfCheckFailed if any proof fails: no unproved loop is ever returned.
-Analysis find_loops(const AnyGridView& grid, const IsoLevel& level,
-                    const AnalysisOptions& options = {});
-
-/// The same, with its workings.
-Workings work_out_loops(const AnyGridView& grid, const IsoLevel& level,
-                        const AnalysisOptions& options = {});
+Analysis analyze(const AnyGridView& grid, const IsoLevel& level,
+                 const AnalysisOptions& options = {});
 
 }  // namespace isoloop

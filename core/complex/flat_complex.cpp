@@ -4,7 +4,7 @@ namespace isoloop {
 namespace {
 
 template <class Edges>
-Rows collected(std::uint32_t rows, const Edges& for_each_pair) {
+CompressedRows collected(std::uint32_t rows, const Edges& for_each_pair) {
   RowCollector collector(rows);
   for_each_pair([&](std::uint32_t row, std::uint32_t) { collector.count(row); });
   collector.end_of_counting();

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/base/rows.h"
+#include "core/base/compressed_rows.h"
 #include "core/complex/complex.h"
 #include "core/complex/near_surface.h"
 
@@ -60,14 +60,14 @@ class FlatComplex {
   }
 
  private:
-  static std::span<const std::uint32_t> row(const Rows& rows, std::uint32_t r) {
+  static std::span<const std::uint32_t> row(const CompressedRows& rows, std::uint32_t r) {
     return {rows.values.data() + rows.first[r], rows.first[r + 1] - rows.first[r]};
   }
 
   std::uint32_t cell_bound_;
   std::vector<std::array<std::uint32_t, 2>> cells_;  // by piece
-  Rows borders_;                                     // edges, by piece
-  Rows rings_;                                       // pieces, by edge
+  CompressedRows borders_;                           // edges, by piece
+  CompressedRows rings_;                             // pieces, by edge
   std::vector<std::uint32_t> first_segment_;         // of each piece, and the end
   std::vector<std::array<std::uint32_t, 2>> segments_;
 };

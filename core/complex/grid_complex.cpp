@@ -23,11 +23,6 @@ bool face_exists(const Lattice& lattice, const std::array<std::uint32_t, 3>& p, 
   return p[b] + 1 < lattice.dims[b] && p[c] + 1 < lattice.dims[c];
 }
 
-std::uint32_t corner_of(const Lattice& lattice, std::uint32_t cube, int corner) {
-  for (int a = 0; a < 3; ++a) cube += (corner >> a & 1) * lattice.stride[a];
-  return cube;
-}
-
 /// The cubes round an edge, by lowest corner, in the order of GridComplex::face_pieces().
 std::array<std::uint32_t, 4> cubes_round(const Lattice& lattice, std::uint32_t edge) {
   const std::uint32_t v = edge / 3;
@@ -80,16 +75,17 @@ std::vector<std::uint32_t> gather(const Lattice& lattice, const Visit& visit) {
 
 }  // namespace
 
-GridComplex::GridComplex(const Sides& sides, const EdgeIndex& edges, Side side)
+GridComplex::GridComplex(const VoxelSides& sides, const EdgeIndex& edges, Side side)
     : sides_(sides),
       edges_(edges),
       side_(side),
-      many_cells_(side == Side::inside ? Sides::many_inside_cells : Sides::many_outside_cells) {
+      many_cells_(side == Side::inside ? VoxelSides::many_inside_cells
+                                       : VoxelSides::many_outside_cells) {
   const Lattice& lattice = sides.lattice;
   split_faces_ = gather(lattice, [&](std::uint32_t v, const auto& p, auto& found) {
     for (int a = 0; a < 3; ++a) {
       const std::uint32_t face = 3 * v + static_cast<std::uint32_t>(a);
-      if ((sides.cubes[v] & Sides::has_ambiguous_face) != 0 && face_exists(lattice, p, a) &&
+      if ((sides.cubes[v] & VoxelSides::has_ambiguous_face) != 0 && face_exists(lattice, p, a) &&
           is_split(face, corners_on_side(face)))
         found.push_back(face);
     }
@@ -107,7 +103,7 @@ GridComplex::GridComplex(const Sides& sides, const EdgeIndex& edges, Side side)
 void GridComplex::build_walls() {
   first_wall_ = edge_bound() + static_cast<std::uint32_t>(split_faces_.size());
   for (std::uint32_t t = 0; t < sides_.tunnels.size(); ++t) {
-    const Sides::Tunnel& tunnel = sides_.tunnels[t];
+    const VoxelSides::Tunnel& tunnel = sides_.tunnels[t];
     if (joined_side(sides_, tunnel) == side_) continue;
     for (const std::uint8_t edge : cut_at(sides_, tunnel).wall.edges)
       wall_edges_.push_back({lattice_edge(sides_.lattice, tunnel.cube, edge), tunnel.cube,
@@ -168,7 +164,8 @@ GridComplex::Bits GridComplex::edges_in(const RowPart& part) const {
 
 GridComplex::Bits GridComplex::plain_rings_in(const RowPart& part) const {
   const auto ambiguous_from = [&](std::uint32_t vertex) {
-    return flags_from(sides_.cubes, vertex, std::countr_zero(unsigned{Sides::has_ambiguous_face}));
+    return flags_from(sides_.cubes, vertex,
+                      std::countr_zero(unsigned{VoxelSides::has_ambiguous_face}));
   };
   const std::uint64_t here = ambiguous_from(part.vertex);
   std::uint64_t plain = ~here;
@@ -192,7 +189,7 @@ std::uint32_t GridComplex::cell_bound() const {
 
 bool GridComplex::is_split(std::uint32_t face, unsigned on_side) const {
   if (!is_ambiguous(on_side)) return false;
-  const bool joined = (sides_.cubes[face / 3] >> (face % 3) & Sides::lower_face_joined) != 0;
+  const bool joined = (sides_.cubes[face / 3] >> (face % 3) & VoxelSides::lower_face_joined) != 0;
   return joined != (side_ == Side::inside);
 }
 
@@ -206,7 +203,7 @@ GridComplex::Piece GridComplex::describe(std::uint32_t piece) const {
 }
 
 std::uint32_t GridComplex::piece_at(std::uint32_t face, std::uint32_t corner) const {
-  if ((sides_.cubes[face / 3] & Sides::has_ambiguous_face) == 0) return face;
+  if ((sides_.cubes[face / 3] & VoxelSides::has_ambiguous_face) == 0) return face;
   const unsigned on_side = corners_on_side(face);
   if (!is_split(face, on_side)) return face;
   const auto corners = face_corners(face);
@@ -249,10 +246,10 @@ std::array<std::uint32_t, 2> GridComplex::cells_near_surface(std::uint32_t piece
           at + 1 == sides_.lattice.dims[axis] ? beyond : cell_at(v, face_corner[i])};
 }
 
-ShortList<std::uint32_t, 4> GridComplex::edges_near_surface(std::uint32_t piece) const {
-  ShortList<std::uint32_t, 4> list;
+InplaceVector<std::uint32_t, 4> GridComplex::edges_near_surface(std::uint32_t piece) const {
+  InplaceVector<std::uint32_t, 4> list;
   if (is_wall(piece)) {
-    const Sides::Tunnel& tunnel = tunnel_of(piece);
+    const VoxelSides::Tunnel& tunnel = tunnel_of(piece);
     for (const std::uint8_t edge : cut_at(sides_, tunnel).wall.edges)
       list.push_back(lattice_edge(sides_.lattice, tunnel.cube, edge));
     return list;
@@ -296,10 +293,10 @@ std::array<std::uint32_t, 4> GridComplex::walls_at(std::uint32_t edge) const {
   return walls;
 }
 
-ShortList<std::uint32_t, 8> GridComplex::ring_near_surface(std::uint32_t edge) const {
+InplaceVector<std::uint32_t, 8> GridComplex::ring_near_surface(std::uint32_t edge) const {
   const auto pieces = face_pieces(edge);
   const auto walls = walls_at(edge);
-  ShortList<std::uint32_t, 8> list;
+  InplaceVector<std::uint32_t, 8> list;
   for (std::size_t i = 0; i < 4; ++i) {
     if (pieces[i] != no_piece) list.push_back(pieces[i]);
     if (walls[i] != no_piece) list.push_back(walls[i]);
@@ -314,17 +311,17 @@ CutRing GridComplex::cut_ring(std::uint32_t edge) const {
 std::vector<BeyondWall> GridComplex::beyond_walls() const {
   std::vector<BeyondWall> all;
   for (std::uint32_t piece = first_wall_; piece < piece_bound(); ++piece) {
-    const Sides::Tunnel& tunnel = tunnel_of(piece);
+    const VoxelSides::Tunnel& tunnel = tunnel_of(piece);
     for (const CubeWall::TriangleCorner& at : cut_at(sides_, tunnel).wall.beyond)
       all.push_back({piece, tunnel.cube, at.triangle, at.corner});
   }
   return all;
 }
 
-ShortList<std::array<std::uint32_t, 2>, 2> GridComplex::segments(std::uint32_t piece) const {
-  ShortList<std::array<std::uint32_t, 2>, 2> list;
+InplaceVector<std::array<std::uint32_t, 2>, 2> GridComplex::segments(std::uint32_t piece) const {
+  InplaceVector<std::array<std::uint32_t, 2>, 2> list;
   if (is_wall(piece)) {
-    const Sides::Tunnel& tunnel = tunnel_of(piece);
+    const VoxelSides::Tunnel& tunnel = tunnel_of(piece);
     const auto& [from, middle, to] = cut_at(sides_, tunnel).wall.on_m;
     const std::uint32_t on_ring =
         ring_vertex(edges_, walls_[piece - first_wall_], middle - first_ring_vertex);
@@ -334,7 +331,8 @@ ShortList<std::array<std::uint32_t, 2>, 2> GridComplex::segments(std::uint32_t p
   }
   const Piece p = describe(piece);
   const unsigned inside = side_ == Side::inside ? p.on_side : ~p.on_side & 15U;
-  const bool joined = (sides_.cubes[p.face / 3] >> (p.face % 3) & Sides::lower_face_joined) != 0;
+  const bool joined =
+      (sides_.cubes[p.face / 3] >> (p.face % 3) & VoxelSides::lower_face_joined) != 0;
   const FaceCut cut = face_cut(inside, joined);
   const auto around = face_edges(p.face);
   for (int s = 0; s < cut.segment_count; ++s) {
@@ -347,12 +345,12 @@ ShortList<std::array<std::uint32_t, 2>, 2> GridComplex::segments(std::uint32_t p
   return list;
 }
 
-ShortList<std::uint32_t, 4> GridComplex::corners(std::uint32_t piece) const {
-  ShortList<std::uint32_t, 4> list;
+InplaceVector<std::uint32_t, 4> GridComplex::corners(std::uint32_t piece) const {
+  InplaceVector<std::uint32_t, 4> list;
   if (is_wall(piece)) {
-    const Sides::Tunnel& tunnel = tunnel_of(piece);
+    const VoxelSides::Tunnel& tunnel = tunnel_of(piece);
     for (const std::uint8_t corner : cut_at(sides_, tunnel).wall.corners)
-      list.push_back(corner_of(sides_.lattice, tunnel.cube, corner));
+      list.push_back(sides_.lattice.corner(tunnel.cube, static_cast<unsigned>(corner)));
     return list;
   }
   const Piece p = describe(piece);

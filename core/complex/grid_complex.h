@@ -7,10 +7,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/base/short_list.h"
+#include "core/base/inplace_vector.h"
 #include "core/complex/complex.h"
 #include "core/complex/near_surface.h"
-#include "core/cube/sides.h"
+#include "core/cube/voxel_sides.h"
 #include "core/surface/edge_index.h"
 
 namespace isoloop {
@@ -39,7 +39,7 @@ void for_each_row_part(const Lattice& lattice, std::uint32_t z, const Visit& vis
 class GridComplex {
  public:
   /// Keeps references: both must outlive it.
-  GridComplex(const Sides& sides, const EdgeIndex& edges, Side side);
+  GridComplex(const VoxelSides& sides, const EdgeIndex& edges, Side side);
 
   std::uint32_t piece_bound() const;
   std::uint32_t cell_bound() const;
@@ -72,14 +72,14 @@ class GridComplex {
   }
   std::array<std::uint32_t, 4> face_edges(std::uint32_t face) const;
   std::array<std::uint32_t, 2> cells(std::uint32_t piece) const;
-  ShortList<std::uint32_t, 4> edges_of(std::uint32_t piece) const;
-  ShortList<std::uint32_t, 8> ring(std::uint32_t edge) const;  // in cyclic order
+  InplaceVector<std::uint32_t, 4> edges_of(std::uint32_t piece) const;
+  InplaceVector<std::uint32_t, 8> ring(std::uint32_t edge) const;  // in cyclic order
 
   CutRing cut_ring(std::uint32_t edge) const;
   std::vector<BeyondWall> beyond_walls() const;
-  ShortList<std::array<std::uint32_t, 2>, 2> segments(std::uint32_t piece) const;
+  InplaceVector<std::array<std::uint32_t, 2>, 2> segments(std::uint32_t piece) const;
 
-  ShortList<std::uint32_t, 4> corners(std::uint32_t piece) const;
+  InplaceVector<std::uint32_t, 4> corners(std::uint32_t piece) const;
   std::uint32_t piece_at(std::uint32_t face, std::uint32_t corner) const;
   std::uint32_t cell_at(std::uint32_t cube, std::uint32_t corner) const;
 
@@ -95,13 +95,13 @@ class GridComplex {
 
   // The answers where M is near, or the border of the box.
   std::array<std::uint32_t, 2> cells_near_surface(std::uint32_t piece) const;
-  ShortList<std::uint32_t, 4> edges_near_surface(std::uint32_t piece) const;
-  ShortList<std::uint32_t, 8> ring_near_surface(std::uint32_t edge) const;
+  InplaceVector<std::uint32_t, 4> edges_near_surface(std::uint32_t piece) const;
+  InplaceVector<std::uint32_t, 8> ring_near_surface(std::uint32_t edge) const;
 
   Bits have_next(const RowPart& part) const;
   std::uint64_t on_side_from(std::uint32_t vertex) const;
   bool on_border(std::uint32_t vertex) const {
-    return (sides_.cubes[vertex] & Sides::on_border) != 0;
+    return (sides_.cubes[vertex] & VoxelSides::on_border) != 0;
   }
 
   struct WallEdge {
@@ -112,7 +112,7 @@ class GridComplex {
 
   void build_walls();
   bool is_wall(std::uint32_t piece) const { return piece >= first_wall_; }
-  const Sides::Tunnel& tunnel_of(std::uint32_t wall) const {
+  const VoxelSides::Tunnel& tunnel_of(std::uint32_t wall) const {
     return sides_.tunnels[walls_[wall - first_wall_]];
   }
   bool has_wall_edge(std::uint32_t vertex) const {
@@ -125,7 +125,7 @@ class GridComplex {
   bool is_split(std::uint32_t face, unsigned on_side) const;
   Piece describe(std::uint32_t piece) const;
 
-  const Sides& sides_;
+  const VoxelSides& sides_;
   const EdgeIndex& edges_;
   Side side_;
   std::uint8_t many_cells_;                      // the flag of cubes with more than one cell here
@@ -134,7 +134,7 @@ class GridComplex {
   std::vector<std::uint32_t> first_extra_cell_;  // of each of them, after all cubes
   std::uint32_t extra_cells_ = 0;
   std::uint32_t first_wall_ = 0;      // piece number
-  std::vector<std::uint32_t> walls_;  // numbers in Sides::tunnels, ascending
+  std::vector<std::uint32_t> walls_;  // numbers in VoxelSides::tunnels, ascending
   std::vector<WallEdge> wall_edges_;  // on the walls' borders; ascending by edge, then cube
   std::vector<bool> has_wall_edge_;   // by lowest vertex of the edge; empty without walls
 };
@@ -202,19 +202,19 @@ inline std::array<std::uint32_t, 2> GridComplex::cells(std::uint32_t piece) cons
   return {below, v};
 }
 
-inline ShortList<std::uint32_t, 4> GridComplex::edges_of(std::uint32_t piece) const {
+inline InplaceVector<std::uint32_t, 4> GridComplex::edges_of(std::uint32_t piece) const {
   if (!is_whole_face(piece)) return edges_near_surface(piece);
   return {face_edges(piece), 4};
 }
 
-inline ShortList<std::uint32_t, 8> GridComplex::ring(std::uint32_t edge) const {
+inline InplaceVector<std::uint32_t, 8> GridComplex::ring(std::uint32_t edge) const {
   const std::uint32_t v = edge / 3;
   if (on_border(v) || has_wall_edge(v)) return ring_near_surface(edge);
   const auto [b, c] = cross_axes(static_cast<int>(edge % 3));
   const std::uint32_t before_b = v - sides_.lattice.stride[b];
   const std::uint32_t before_c = v - sides_.lattice.stride[c];
   const unsigned flags = sides_.cubes[v] | sides_.cubes[before_b] | sides_.cubes[before_c];
-  if ((flags & Sides::has_ambiguous_face) != 0) return ring_near_surface(edge);
+  if ((flags & VoxelSides::has_ambiguous_face) != 0) return ring_near_surface(edge);
   const auto ub = static_cast<std::uint32_t>(b);
   const auto uc = static_cast<std::uint32_t>(c);
   return {{3 * v + uc, 3 * v + ub, 3 * before_b + uc, 3 * before_c + ub}, 4};

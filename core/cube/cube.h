@@ -29,7 +29,7 @@
 #include <span>
 #include <vector>
 
-#include "core/base/short_list.h"
+#include "core/base/inplace_vector.h"
 #include "core/grid/lattice.h"
 
 namespace isoloop {
@@ -48,14 +48,15 @@ struct CubeCut {
   std::array<std::uint8_t, 8> cell_of_corner{};  // number within the corner's side
   /// Corners where a tunnel may begin, in cuts without one. A tunnel joins the cell at its hub to
   /// the cell of the same side towards the opposite corner.
-  ShortList<std::uint8_t, 2> hubs;
+  InplaceVector<std::uint8_t, 2> hubs;
   std::array<std::array<std::uint8_t, 3>, 16> triangles{};  // vertices; normal points to O
 };
 
 /// The disc that cuts the solid torus round a tunnel to a ball.
 struct CubeWall {
-  ShortList<std::uint8_t, 4> edges;  // cube edges that carry its border off M, from curve to curve
-  ShortList<std::uint8_t, 3> corners;  // of the cube, between them
+  InplaceVector<std::uint8_t, 4>
+      edges;  // cube edges that carry its border off M, from curve to curve
+  InplaceVector<std::uint8_t, 3> corners;  // of the cube, between them
   std::array<std::uint8_t, 3> on_m{};  // vertices of its border on M: on a curve, the ring, a curve
   struct TriangleCorner {
     std::uint8_t triangle;  // of the cut

@@ -272,9 +272,10 @@ CubeWall build_wall(std::uint8_t inside, const Polygon& left, const Polygon& rig
 
 }  // namespace
 
-ShortList<std::uint8_t, 2> tunnel_hubs(std::uint8_t inside, std::uint8_t joined,
-                                       const std::vector<Polygon>& polygons, const CubeCut& cut) {
-  ShortList<std::uint8_t, 2> hubs;
+InplaceVector<std::uint8_t, 2> tunnel_hubs(std::uint8_t inside, std::uint8_t joined,
+                                           const std::vector<Polygon>& polygons,
+                                           const CubeCut& cut) {
+  InplaceVector<std::uint8_t, 2> hubs;
   for (int hub = 0; hub < 8; ++hub) {
     if (is_cast_joined(inside, joined, hub)) continue;
     const auto curves = curves_at(inside, polygons, cut, hub);

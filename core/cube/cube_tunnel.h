@@ -17,8 +17,9 @@ using Polygon = std::vector<int>;
 /// border on one cell of the other side. No face joins the two corners on which the diagonal is
 /// cast. These conditions are those of all cuts that have tunnels (a test draws each). One hub for
 /// each such diagonal: that on the shorter curve, else on the first.
-ShortList<std::uint8_t, 2> tunnel_hubs(std::uint8_t inside, std::uint8_t joined,
-                                       const std::vector<Polygon>& polygons, const CubeCut& cut);
+InplaceVector<std::uint8_t, 2> tunnel_hubs(std::uint8_t inside, std::uint8_t joined,
+                                           const std::vector<Polygon>& polygons,
+                                           const CubeCut& cut);
 
 /// `plain` with the two discs on the curves at `hub`, one of its hubs, replaced by a tube.
 TunnelCut drill_tunnel(std::uint8_t inside, const std::vector<Polygon>& polygons,

@@ -40,9 +40,9 @@ std::vector<Curve> closed_curves(std::span<const std::array<std::uint32_t, 2>> e
 double length_of(const Surface& surface, std::span<const Curve> curves) {
   double length = 0.0;
   for (const Curve& curve : curves)
-    for (std::size_t i = 0; i < curve.size(); ++i)
-      length += distance(scaled_point(surface, curve[i]),
-                         scaled_point(surface, curve[(i + 1) % curve.size()]));
+    for_each_edge(curve, [&](std::uint32_t u, std::uint32_t v) {
+      length += distance(scaled_point(surface, u), scaled_point(surface, v));
+    });
   return length;
 }
 

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "core/grid/grid.h"
 
@@ -33,6 +35,29 @@ struct Lattice {
 
   std::uint32_t vertex(std::uint32_t x, std::uint32_t y, std::uint32_t z) const {
     return x + dims[0] * (y + dims[1] * z);
+  }
+
+  /// The voxel at a vertex, by its indices in the grid; it may lie outside it.
+  Index3 voxel_at(std::uint32_t vertex) const {
+    const auto p = position(vertex);
+    return {first[0] + p[0], first[1] + p[1], first[2] + p[2]};
+  }
+
+  /// The vertex at that voxel; nothing where the box ends before it.
+  std::optional<std::uint32_t> vertex_at(const Index3& voxel) const {
+    std::array<std::uint32_t, 3> p{};
+    for (std::size_t a = 0; a < 3; ++a) {
+      const std::int64_t at = voxel[a] - first[a];
+      if (at < 0 || at >= std::int64_t{dims[a]}) return std::nullopt;
+      p[a] = static_cast<std::uint32_t>(at);
+    }
+    return vertex(p[0], p[1], p[2]);
+  }
+
+  /// Corner 0 to 7 of the cube with lowest corner `cube`; bit a: beyond it along axis a.
+  std::uint32_t corner(std::uint32_t cube, unsigned corner) const {
+    return cube + (corner & 1U) * stride[0] + (corner >> 1 & 1U) * stride[1] +
+           (corner >> 2 & 1U) * stride[2];
   }
 };
 

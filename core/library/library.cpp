@@ -75,12 +75,12 @@ FoundLoops find_loops(const AnyGridView& grid, const IsoLevel& level, const Loop
   if (options.feature_ratio && options.boundary == Boundary::open)
     throw InvalidArgument("features ask for a closed boundary");
   return on_threads(options.threads, [&] {
-    Analysis analysis = find_loops(grid, level,
-                                   AnalysisOptions{.boundary = options.boundary,
-                                                   .geodesic = options.geodesic,
-                                                   .tighten = options.tighten,
-                                                   .progress = options.progress,
-                                                   .max_bytes = options.max_bytes});
+    Analysis analysis = analyze(grid, level,
+                                AnalysisOptions{.boundary = options.boundary,
+                                                .geodesic = options.geodesic,
+                                                .tighten = options.tighten,
+                                                .progress = options.progress,
+                                                .max_bytes = options.max_bytes});
     std::vector<Feature> features;
     if (options.feature_ratio)
       features = in_stage("features", [&] {

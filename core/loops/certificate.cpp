@@ -173,15 +173,14 @@ GeneratorSet class_of(const Surface& surface, const SurfaceClasses& classes,
                       std::span<const Curve> curves) {
   GeneratorSet sum;
   for (const Curve& curve : curves)
-    for (std::size_t i = 0; i < curve.size(); ++i) {
-      const std::uint32_t edge =
-          edge_between(surface.graph, curve[i], curve[(i + 1) % curve.size()]);
+    for_each_edge(curve, [&](std::uint32_t u, std::uint32_t v) {
+      const std::uint32_t edge = edge_between(surface.graph, u, v);
       if (edge == no_edge)
-        throw SelfCheckFailed("a loop leaves the surface between its vertices " +
-                              std::to_string(i) + " and " + std::to_string(i + 1));
+        throw SelfCheckFailed("a loop leaves the surface between vertices " + std::to_string(u) +
+                              " and " + std::to_string(v));
       if (classes.of_edge[edge] != 0)
         sum = sum_of(sum, classes.pool.generators(classes.of_edge[edge]));
-    }
+    });
   return sum;
 }
 

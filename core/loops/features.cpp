@@ -59,9 +59,9 @@ double triangle_area(const Surface& surface, const std::array<std::uint32_t, 3>&
 Front front_along(const Surface& surface, const Loop& loop) {
   Front front;
   for (const Curve& curve : loop.curves)
-    for (std::size_t i = 0; i < curve.size(); ++i)
-      add_segment(front, scaled_point(surface, curve[i]),
-                  scaled_point(surface, curve[(i + 1) % curve.size()]));
+    for_each_edge(curve, [&](std::uint32_t u, std::uint32_t v) {
+      add_segment(front, scaled_point(surface, u), scaled_point(surface, v));
+    });
   finish(front);
   return front;
 }
@@ -70,11 +70,10 @@ Front front_along(const Surface& surface, const Loop& loop) {
 Vec3 normal_of(const Surface& surface, const Loop& loop) {
   Vec3 normal{};
   for (const Curve& curve : loop.curves)
-    for (std::size_t i = 0; i < curve.size(); ++i) {
-      const Vec3 turn = cross(scaled_point(surface, curve[i]),
-                              scaled_point(surface, curve[(i + 1) % curve.size()]));
+    for_each_edge(curve, [&](std::uint32_t u, std::uint32_t v) {
+      const Vec3 turn = cross(scaled_point(surface, u), scaled_point(surface, v));
       for (std::size_t x = 0; x < 3; ++x) normal[x] += turn[x];
-    }
+    });
   return normal;
 }
 

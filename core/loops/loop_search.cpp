@@ -21,11 +21,9 @@ bool visits_twice(Curve curve) {
 /// What is left of a closed walk over Z2, where an edge taken twice is not taken at all.
 std::vector<Curve> without_repeated_edges(const Curve& walk) {
   std::vector<std::array<std::uint32_t, 2>> edges;
-  for (std::size_t i = 0; i < walk.size(); ++i) {
-    const std::uint32_t u = walk[i];
-    const std::uint32_t v = walk[(i + 1) % walk.size()];
+  for_each_edge(walk, [&](std::uint32_t u, std::uint32_t v) {
     edges.push_back({std::min(u, v), std::max(u, v)});
-  }
+  });
   std::sort(edges.begin(), edges.end());
   std::vector<std::array<std::uint32_t, 2>> odd;
   for (const auto& edge : edges) {
@@ -52,7 +50,7 @@ LoopSearch::LoopSearch(const Surface& surface, const SurfaceClasses& classes, Si
     : surface_(surface),
       classes_(classes),
       side_(side),
-      steps_(classes.pool.count()),
+      edge_classes_(classes.pool.count()),
       reached_(surface.points.size()),
       queue_(longest_edge(surface)) {}
 
@@ -83,7 +81,7 @@ void LoopSearch::stay_near(const Curve& curve, std::size_t edges) {
 void LoopSearch::begin(std::uint32_t base) {
   if (++current_ == 0) {  // after 2^32 searches: no stale entry may look current
     for (Reached& vertex : reached_) vertex.search = 0;
-    for (Step& step : steps_) step.odd_for = 0;
+    for (EdgeClass& along : edge_classes_) along.odd_for = 0;
     current_ = 1;
   }
   settled_ = 0;
@@ -114,21 +112,21 @@ bool LoopSearch::may_settle(const Path& path, std::uint32_t sheets) const {
   return true;
 }
 
-const LoopSearch::Step& LoopSearch::step_of(std::uint32_t label) {
-  Step& step = steps_[label];
-  if (step.odd_for == current_) return step;
-  if (step.odd_for == 0) {  // a label that is met for the first time
+const LoopSearch::EdgeClass& LoopSearch::class_of_edge(std::uint32_t label) {
+  EdgeClass& along = edge_classes_[label];
+  if (along.odd_for == current_) return along;
+  if (along.odd_for == 0) {  // a label that is met for the first time
     const SplitClass parts = split_class(classes_, side_, classes_.pool.generators(label));
-    step.label = {print_of(parts.own), print_of(parts.other)};
+    along.label = {print_of(parts.own), print_of(parts.other)};
   }
-  step.odd_for = current_;
-  step.is_odd = false;
-  if (crossing_.empty()) return step;
+  along.odd_for = current_;
+  along.is_odd = false;
+  if (crossing_.empty()) return along;
   const SplitClass parts = split_class(classes_, side_, classes_.pool.generators(label));
   for (const std::uint32_t generator : parts.other)
     if (std::binary_search(crossing_.begin(), crossing_.end(), generator))
-      step.is_odd = !step.is_odd;
-  return step;
+      along.is_odd = !along.is_odd;
+  return along;
 }
 
 double LoopSearch::useful_length(const Closing& closing) {
@@ -178,10 +176,10 @@ void LoopSearch::explore(std::uint32_t base, double& bound, const SearchLimits& 
                 here.is_odd,
                 false};
       if (const std::uint32_t label = classes_.of_edge[edge]; label != 0) {
-        const Step& step = step_of(label);
-        path.label.own ^= step.label.own;
-        path.label.other ^= step.label.other;
-        path.is_odd = path.is_odd != step.is_odd;
+        const EdgeClass& along = class_of_edge(label);
+        path.label.own ^= along.label.own;
+        path.label.other ^= along.label.other;
+        path.is_odd = path.is_odd != along.is_odd;
       }
       extend(path, bound, sheets, close);
     });

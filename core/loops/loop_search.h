@@ -99,7 +99,7 @@ class LoopSearch {
     bool is_odd = false;       // number of generators of the label that are counted as crossings
     bool is_settled = false;
   };
-  struct Step {  // along an edge: what its label comes to for this object
+  struct EdgeClass {  // along an edge: what its label comes to for this object
     Label label;
     bool is_odd = false;
     std::uint32_t odd_for = 0;  // the search that is_odd is for
@@ -130,7 +130,7 @@ class LoopSearch {
   std::uint32_t first_path(std::uint32_t vertex) const;
   double useful_length(const Closing& closing);
   Curve walk_of(const Closing& closing) const;
-  const Step& step_of(std::uint32_t label);
+  const EdgeClass& class_of_edge(std::uint32_t label);
   FoundLoop loop_of(const Closing& closing) const;
 
   const Surface& surface_;
@@ -140,7 +140,7 @@ class LoopSearch {
   std::uint32_t asked_ = 0;  // calls of look_for()
   ClassPrint wanted_own_ = 0;
   std::unordered_map<ClassPrint, Met> met_;  // by the print of own and other
-  std::vector<Step> steps_;                  // by number in classes_.pool
+  std::vector<EdgeClass> edge_classes_;      // by number in classes_.pool
   std::span<const std::uint32_t> crossing_;
   std::vector<std::uint32_t> near_;  // by vertex: the call of stay_near() that last allowed it
   std::uint32_t stays_ = 0;          // calls of stay_near()

@@ -56,16 +56,14 @@ Vec3 center_of(const Surface& surface, const Loop& loop) {
 
 class LoopFinder {
  public:
-  LoopFinder(const Surface& surface, const SurfaceClasses& classes, const SolvedSide& side,
-             std::span<const std::uint32_t> closest)
+  LoopFinder(const Surface& surface, const SurfaceClasses& classes, const KilledOnSide& killed)
       : surface_(surface),
         classes_(classes),
-        side_(side),
-        closest_(closest),
-        kind_(kind_on(surface.boundary, side.complex.side())) {}
+        side_(killed),
+        kind_(kind_on(surface.boundary, killed.side)) {}
 
   Loop find(std::uint32_t i, LoopSearch& search) const {
-    return measured_loop(surface_, kind_, static_cast<int>(i) + 1, side_.pass.killing[i].size,
+    return measured_loop(surface_, kind_, static_cast<int>(i) + 1, side_.killing[i].size,
                          curves_of(i, search));
   }
 
@@ -75,19 +73,6 @@ class LoopFinder {
   bool dies_at(std::uint32_t i, std::span<const std::uint32_t> other) const {
     const auto closes = side_.border_classes.coordinates(other);
     return closes && !closes->empty() && closes->back() == i;
-  }
-
-  /// The surface vertices closest to the killing piece's corners, and those on its border.
-  std::vector<std::uint32_t> bases(std::uint32_t i) const {
-    const std::uint32_t piece = side_.pass.killing[i].piece;
-    std::vector<std::uint32_t> vertices;
-    for (const std::uint32_t corner : side_.complex.corners(piece))
-      vertices.push_back(closest_[corner]);
-    for (const auto& segment : side_.complex.segments(piece))
-      vertices.insert(vertices.end(), segment.begin(), segment.end());
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    return vertices;
   }
 
   /// Near the killing piece first. What is not found there may be long, or of several curves: the
@@ -128,7 +113,7 @@ class LoopFinder {
   /// The shortest curve found near killing piece i within the limits of each search.
   Attempt single_curve(std::uint32_t i, SearchLimits limits, LoopSearch& search) const {
     Attempt attempt;
-    const std::vector<std::uint32_t> starts = bases(i);
+    const std::vector<std::uint32_t>& starts = side_.starts[i];
     std::vector<double> least(starts.size());  // length of a loop through each
     for (std::size_t s = 0; s < starts.size(); ++s) {
       if (least[s] >= noticeable * limits.longest) continue;
@@ -187,8 +172,7 @@ class LoopFinder {
 
   const Surface& surface_;
   const SurfaceClasses& classes_;
-  SolvedSide side_;
-  std::span<const std::uint32_t> closest_;
+  KilledOnSide side_;
   LoopKind kind_;
 };
 
@@ -245,11 +229,11 @@ std::vector<std::vector<Vec3>> drawn_curves(const SurfaceMesh& surface, const Lo
 }
 
 SearchedLoops loops_of_side(const Surface& surface, const SurfaceClasses& classes,
-                            const SolvedSide& side, std::span<const std::uint32_t> closest) {
-  const LoopFinder finder(surface, classes, side, closest);
-  const std::size_t count = side.pass.killing.size();
+                            const KilledOnSide& killed) {
+  const LoopFinder finder(surface, classes, killed);
+  const std::size_t count = killed.killing.size();
   SearchedLoops found{std::vector<Loop>(count), std::vector<double>(count)};
-  const Side seen_from = side_of(kind_on(surface.boundary, side.complex.side()));
+  const Side seen_from = side_of(kind_on(surface.boundary, killed.side));
   PerThread<LoopSearch> searches;
   // Large sizes search far: taken first and one by one, they do not wait at the end.
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1), [&](const auto& range) {
@@ -280,6 +264,14 @@ std::vector<Loop> merged_by_size(std::vector<Loop> inside, std::vector<Loop> out
   return loops;
 }
 
+std::span<const Loop> loops_of_kind(std::span<const Loop> loops, LoopKind kind) {
+  const auto begin_of = [&](auto is_before) {
+    return std::partition_point(loops.begin(), loops.end(), is_before);
+  };
+  return {begin_of([&](const Loop& loop) { return loop.kind < kind; }),
+          begin_of([&](const Loop& loop) { return loop.kind <= kind; })};
+}
+
 void check_measures(std::span<const Loop> loops) {
   const auto is_length = [](double length) { return length > 0.0 && std::isfinite(length); };
   for (const Loop& loop : loops) {
@@ -293,10 +285,11 @@ void check_measures(std::span<const Loop> loops) {
   }
 }
 
-void certify(const Surface& surface, const SurfaceClasses& classes, std::vector<Loop>& loops) {
+std::vector<Loop> certified(const Surface& surface, const SurfaceClasses& classes,
+                            std::vector<Loop> loops) {
   std::array<Z2Basis, 3> bases;  // by kind
   for (Loop& loop : loops) {
-    const SplitClass parts =
+    SplitClass parts =
         split_class(classes, side_of(loop.kind), class_of(surface, classes, loop.curves));
     const std::string name = name_of(loop.kind) + " " + std::to_string(loop.id);
     if (loop.curves.empty() || !parts.own.empty() || parts.other.empty())
@@ -308,6 +301,7 @@ void certify(const Surface& surface, const SurfaceClasses& classes, std::vector<
     loop.certificate.nontrivial_on_surface = true;
     loop.certificate.trivial_inside = loop.kind == LoopKind::handle;
     loop.certificate.trivial_outside = loop.kind == LoopKind::tunnel;
+    loop.generators = std::move(parts.other);
   }
   const bool open = surface.boundary == Boundary::open;
   const std::int64_t each = open ? 0 : surface.genus();
@@ -319,6 +313,7 @@ void certify(const Surface& surface, const SurfaceClasses& classes, std::vector<
                             name_of(kind) + "s, but " + std::to_string(bases[k].rank()) +
                             " were proved");
   }
+  return loops;
 }
 
 }  // namespace isoloop

@@ -1,11 +1,12 @@
 // Handle and tunnel loops: one for each class of H1(M) that dies in I or in O.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "core/complex/grid_complex.h"
+#include "core/complex/near_surface.h"
 #include "core/curves/curve.h"
 #include "core/curves/geodesic.h"
 #include "core/engines/dual_pass.h"
@@ -36,10 +37,29 @@ Loop measured_loop(const Surface& surface, LoopKind kind, int id, double size,
 /// Gives the loop the geodesics that its curves shorten to, and measures it anew.
 void set_geodesics(const Surface& surface, Loop& loop, std::vector<Geodesic> geodesics);
 
-/// One side of M as far as the passes have brought it.
-struct SolvedSide {
-  const GridComplex& complex;
-  const DualPass& pass;
+/// Of each killing piece, the vertices of M to search from for its loop: those on its border, and
+/// those closest to the grid vertices at its corners. `closest`: by grid vertex.
+template <class C>
+requires MeetsSurface<C> && HoldsVoxels<C> std::vector<Curve> starts_near(
+    const C& complex, std::span<const KillingPiece> killing,
+    std::span<const std::uint32_t> closest) {
+  std::vector<Curve> starts;
+  for (const auto& [piece, size] : killing) {
+    Curve& vertices = starts.emplace_back();
+    for (const std::uint32_t corner : complex.corners(piece)) vertices.push_back(closest[corner]);
+    for (const auto& segment : complex.segments(piece))
+      vertices.insert(vertices.end(), segment.begin(), segment.end());
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  }
+  return starts;
+}
+
+/// The killing pieces of one side, and what the labels that the pass gave span there.
+struct KilledOnSide {
+  Side side = Side::inside;
+  std::span<const KillingPiece> killing;
+  std::span<const std::vector<std::uint32_t>> starts;  // of each: starts_near()
   const KillingBorders& borders;
   const Z2Basis& border_classes;
 };
@@ -51,11 +71,13 @@ struct SearchedLoops {
 
 /// The loops of kind_on(surface.boundary, side) that bound on `side`, one for each killing piece,
 /// by size: loop i is born on M, is trivial on this side from killing piece i on and not before.
-/// `closest`: by lattice vertex. Close to the shortest such loop near the piece; where no single
-/// closed curve will do (it takes two on nested tori), the border of the surface that the labels
-/// span, each curve tightened.
+/// Close to the shortest such loop near the piece; where no single closed curve will do (it takes
+/// two on nested tori), the border of the surface that the labels span, each curve tightened.
 SearchedLoops loops_of_side(const Surface& surface, const SurfaceClasses& classes,
-                            const SolvedSide& side, std::span<const std::uint32_t> closest);
+                            const KilledOnSide& killed);
+
+/// Those of one kind; `loops`: by kind.
+std::span<const Loop> loops_of_kind(std::span<const Loop> loops, LoopKind kind);
 
 /// CPU seconds of the slowest hundredth of searches, rounded up to whole ones, that took `seconds`
 /// each: what a few loops have of the whole.
@@ -66,12 +88,13 @@ std::vector<Loop> merged_by_size(std::vector<Loop> inside, std::vector<Loop> out
 
 /// Proves that the loops can be drawn and measured: lengths finite and above 0, centres finite,
 /// sizes not negative (they may be infinite). Throws SelfCheckFailed. That their points lie on M is
-/// the matter of certify() and straighten_loops().
+/// the matter of certified() and straightened().
 void check_measures(std::span<const Loop> loops);
 
 /// Proves the loops from scratch: closed, on M, trivial on their own side only, and independent,
 /// genus(M) of each kind; those of kind `loop`: independent in H1(M), and as many as its rank.
-/// Fills in the certificates. Throws SelfCheckFailed.
-void certify(const Surface& surface, const SurfaceClasses& classes, std::vector<Loop>& loops);
+/// Returns them with their certificates and classes. Throws SelfCheckFailed.
+std::vector<Loop> certified(const Surface& surface, const SurfaceClasses& classes,
+                            std::vector<Loop> loops);
 
 }  // namespace isoloop

@@ -27,8 +27,7 @@ LoopSite site_of(const Workings& workings, const Loop& loop) {
   const Side side = side_of(loop.kind);
   LoopSite site;
   site.kind = loop.kind;
-  site.other =
-      split_class(workings.classes, side, class_of(surface, workings.classes, loop.curves)).other;
+  site.other = loop.generators;
   site.crossing = workings.on(side).border_classes.coordinates(site.other).value();
   site.length = loop.length;
   for (const std::vector<Vec3>& points : drawn_curves(surface, loop))
@@ -49,11 +48,7 @@ LoopSite site_of(const Workings& workings, const Loop& loop) {
 
 std::uint32_t vertex_of(std::size_t voxel, const Index3& dims, const Lattice& lattice) {
   const auto at = static_cast<std::int64_t>(voxel);
-  const Index3 p{at % dims[0], at / dims[0] % dims[1], at / dims[0] / dims[1]};
-  const auto along = [&](std::size_t a) {
-    return static_cast<std::uint32_t>(p[a] - lattice.first[a]);
-  };
-  return lattice.vertex(along(0), along(1), along(2));
+  return *lattice.vertex_at({at % dims[0], at / dims[0] % dims[1], at / dims[0] / dims[1]});
 }
 
 bool cross_oddly(const LoopSite& a, const LoopSite& b) {
@@ -75,12 +70,10 @@ LoopRemover::LoopRemover(const Workings& workings, const IsoLevel& level, VoxelV
       fixed_(workings.sides->lattice.vertex_count()) {
   const Lattice& lattice = workings.sides->lattice;
   for (std::uint32_t v = 0; v < lattice.vertex_count(); ++v) {
-    if ((workings.sides->cubes[v] & Sides::on_border) == 0) continue;
-    const auto p = lattice.position(v);
-    for (std::size_t a = 0; a < 3; ++a) {
-      const std::int64_t at = lattice.first[a] + p[a];
-      if (at < 0 || at >= values.dims()[a]) fixed_[v] = true;
-    }
+    if ((workings.sides->cubes[v] & VoxelSides::on_border) == 0) continue;
+    const Index3 voxel = lattice.voxel_at(v);
+    for (std::size_t a = 0; a < 3; ++a)
+      if (voxel[a] < 0 || voxel[a] >= values.dims()[a]) fixed_[v] = true;
   }
 }
 
@@ -94,14 +87,9 @@ MembraneFinder<GridComplex>& LoopRemover::finder(Side side) {
 }
 
 std::size_t LoopRemover::voxel_of(std::uint32_t vertex) const {
-  const Lattice& lattice = workings_.sides->lattice;
-  const auto p = lattice.position(vertex);
-  const auto along = [&](std::size_t a) {
-    return static_cast<std::size_t>(lattice.first[a] + p[a]);
-  };
+  const Index3 voxel = workings_.sides->lattice.voxel_at(vertex);
   const Index3& dims = values_.dims();
-  return along(0) + static_cast<std::size_t>(dims[0]) *
-                        (along(1) + static_cast<std::size_t>(dims[1]) * along(2));
+  return static_cast<std::size_t>(voxel[0] + dims[0] * (voxel[1] + dims[1] * voxel[2]));
 }
 
 double LoopRemover::magnitude_of(std::size_t voxel) const {

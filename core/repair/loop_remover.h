@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/analysis/analysis.h"
+#include "core/analysis/workings.h"
 #include "core/base/memory_budget.h"
 #include "core/complex/grid_complex.h"
 #include "core/grid/grid.h"

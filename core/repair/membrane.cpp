@@ -8,7 +8,7 @@
 namespace isoloop {
 template <HoldsVoxels C>
 
-MembraneFinder<C>::MembraneFinder(const Sides& sides, const C& complex, const DualPass& pass)
+MembraneFinder<C>::MembraneFinder(const VoxelSides& sides, const C& complex, const DualPass& pass)
     : sides_(sides),
       complex_(complex),
       pass_(pass),
@@ -42,7 +42,7 @@ void MembraneFinder<C>::mark_odd_pieces(std::span<const std::uint32_t> crossing)
 
 template <HoldsVoxels C>
 std::optional<bool> MembraneFinder<C>::thin(
-    const MembraneQuery& query, const MembraneSearch& search,
+    const MembraneQuery& query, const MembraneOptions& search,
     const std::function<bool(const std::vector<std::uint32_t>&)>& use) {
   mark_odd_pieces(query.crossing);
   Search state(*this, query, search);
@@ -62,7 +62,7 @@ std::vector<std::uint32_t> MembraneFinder<C>::part_beside(const MembraneQuery& q
                                                           std::uint32_t start,
                                                           std::uint32_t first_round,
                                                           std::size_t most) {
-  const MembraneSearch anywhere{};
+  const MembraneOptions anywhere{};
   const Search side(*this, query, anywhere);
   const std::uint32_t round = ++rounds_;
   std::vector<std::uint32_t> part{start};
@@ -92,7 +92,7 @@ std::vector<std::uint32_t> MembraneFinder<C>::with_severed(const MembraneQuery& 
                                                            std::size_t most) {
   const std::uint32_t first_round = ++rounds_;
   for (const std::uint32_t vertex : set) seen_[vertex] = first_round;
-  const MembraneSearch anywhere{};
+  const MembraneOptions anywhere{};
   const Search side(*this, query, anywhere);
   std::vector<std::vector<std::uint32_t>> parts;
   bool has_larger = false;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/complex/near_surface.h"
-#include "core/cube/sides.h"
+#include "core/cube/voxel_sides.h"
 #include "core/engines/dual_pass.h"
 #include "core/z2/label.h"
 
@@ -23,7 +23,7 @@ struct MembraneQuery {
 };
 
 /// How to look for it.
-struct MembraneSearch {
+struct MembraneOptions {
   std::uint32_t reach = 0;     // steps from the loop, each within one cell
   bool clear_islands = false;  // keep off parts of the other side that the loop does not run along
 };
@@ -43,14 +43,14 @@ template <HoldsVoxels C>
 class MembraneFinder {
  public:
   /// Keeps references: all must outlive it.
-  MembraneFinder(const Sides& sides, const C& complex, const DualPass& pass);
+  MembraneFinder(const VoxelSides& sides, const C& complex, const DualPass& pass);
 
   /// There may be several least sets. use() is called with the one nearest to one end of the
   /// network and, unless that returned true, with the one nearest to the other end; each is an
   /// ascending list, and an end without a set that will do is passed over. Returns whether use()
   /// returned true; nothing where there is no membrane within reach. use() may call with_severed(),
   /// but not thin().
-  std::optional<bool> thin(const MembraneQuery& query, const MembraneSearch& search,
+  std::optional<bool> thin(const MembraneQuery& query, const MembraneOptions& search,
                            const std::function<bool(const std::vector<std::uint32_t>&)>& use);
 
   /// The set, and the parts of this side that it cuts off: those beside it of at most `most`
@@ -72,10 +72,10 @@ class MembraneFinder {
                                          std::uint32_t first_round, std::size_t most);
   bool is_odd(std::uint32_t piece) const { return odd_label_[pass_.labels[piece]] != 0; }
   bool is_on_border(std::uint32_t vertex) const {
-    return (sides_.cubes[vertex] & Sides::on_border) != 0;
+    return (sides_.cubes[vertex] & VoxelSides::on_border) != 0;
   }
 
-  const Sides& sides_;
+  const VoxelSides& sides_;
   const C& complex_;
   const DualPass& pass_;
   GeneratorSet crossing_;                   // that the three below are for

@@ -37,13 +37,13 @@ std::vector<std::uint32_t> MembraneFinder<C>::Search::ends(bool on_this_side) co
 template <HoldsVoxels C>
 bool MembraneFinder<C>::Search::may_be_near(std::uint32_t vertex) {
   if (finder.is_on_border(vertex)) return false;
-  std::array<std::pair<Parities::Place, bool>, 8> met{};
+  std::array<std::pair<ParitySets::Place, bool>, 8> met{};
   std::size_t count = 0;
   bool even = true;
   for_each_cell(vertex, [&](const Incidence& at) {
     const std::uint32_t node = finder.node_of_cell_[at.cell];
     if (node == none) return;
-    const Parities::Place place = parities.find(node);
+    const ParitySets::Place place = parity_sets.find(node);
     const bool odd = (place.value ^ char{at.odd}) != 0;
     for (std::size_t i = 0; i < count; ++i)
       if (met[i].first.root == place.root && met[i].second != odd) even = false;
@@ -60,7 +60,7 @@ void MembraneFinder<C>::Search::take(std::uint32_t vertex) {
   for_each_cell(vertex, [&](const Incidence& at) {
     const std::uint32_t cell = node_of(at.cell, false);
     nodes[cell].is_near = true;
-    parities.join(node, cell, char{at.odd});
+    parity_sets.join(node, cell, char{at.odd});
   });
 }
 
@@ -111,7 +111,7 @@ bool MembraneFinder<C>::Search::expand(std::uint32_t vertex, std::vector<std::ui
   for_each_cell(vertex, [&](const Incidence& at) {
     if (is_near_cell(at.cell)) return;
     const bool is_new = finder.node_of_cell_[at.cell] == none;
-    even = parities.join(node, node_of(at.cell, false), char{at.odd}) == 0 && even;
+    even = parity_sets.join(node, node_of(at.cell, false), char{at.odd}) == 0 && even;
     if (!is_new) return;
     const auto push = [&](std::uint32_t corner) {
       if (finder.node_of_vertex_[corner] != none) return;
@@ -145,7 +145,7 @@ bool MembraneFinder<C>::Search::explore_rest() {
   const auto sides_met = [&] {
     std::vector<std::pair<std::uint32_t, unsigned>> met;
     for (const Meeting& meeting : meetings) {
-      const Parities::Place at = parities.find(finder.node_of_vertex_[meeting.vertex]);
+      const ParitySets::Place at = parity_sets.find(finder.node_of_vertex_[meeting.vertex]);
       met.emplace_back(at.root, is_second(meeting) ? 2U : 1U);
     }
     std::sort(met.begin(), met.end());
@@ -163,7 +163,7 @@ bool MembraneFinder<C>::Search::explore_rest() {
     std::swap(front, next);
     roots.clear();
     for (const std::uint32_t vertex : front)
-      roots.push_back(parities.find(finder.node_of_vertex_[vertex]).root);
+      roots.push_back(parity_sets.find(finder.node_of_vertex_[vertex]).root);
     std::sort(roots.begin(), roots.end());
     roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
     const auto met = sides_met();
@@ -179,14 +179,14 @@ bool MembraneFinder<C>::Search::explore_rest() {
 /// On which of the two sides of its part of the rest the cell lies.
 template <HoldsVoxels C>
 bool MembraneFinder<C>::Search::is_second(const Meeting& meeting) {
-  return (parities.find(finder.node_of_vertex_[meeting.vertex]).value ^
-          parities.find(finder.node_of_cell_[meeting.cell]).value ^ char{meeting.odd}) != 0;
+  return (parity_sets.find(finder.node_of_vertex_[meeting.vertex]).value ^
+          parity_sets.find(finder.node_of_cell_[meeting.cell]).value ^ char{meeting.odd}) != 0;
 }
 
 /// Its place in `parts`, or their count if it meets N from one side only.
 template <HoldsVoxels C>
 std::uint32_t MembraneFinder<C>::Search::part_at(const Meeting& meeting) {
-  const std::uint32_t root = parities.find(finder.node_of_vertex_[meeting.vertex]).root;
+  const std::uint32_t root = parity_sets.find(finder.node_of_vertex_[meeting.vertex]).root;
   const auto at =
       std::lower_bound(parts.begin(), parts.end(), root,
                        [](const Part& part, std::uint32_t wanted) { return part.root < wanted; });
@@ -222,13 +222,13 @@ void MembraneFinder<C>::Search::group_parts() {
   std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
     return std::abs(a.second) > std::abs(b.second);
   });
-  Parities matched;
+  ParitySets matched;
   for (std::size_t part = 0; part < parts.size(); ++part) matched.add();
   for (const auto& [pair, weight] : order)
     if (weight != 0) matched.join(pair[0], pair[1], char{weight < 0});
   std::map<std::uint32_t, std::size_t> sizes;  // by group: sights
   for (std::uint32_t part = 0; part < parts.size(); ++part) {
-    const Parities::Place at = matched.find(part);
+    const ParitySets::Place at = matched.find(part);
     parts[part].group = at.root;
     parts[part].turned = at.value != 0;
   }
@@ -318,7 +318,7 @@ std::optional<std::vector<std::uint32_t>> MembraneFinder<C>::Search::cut(unsigne
     const std::uint32_t part = part_at(meeting);
     std::uint32_t behind = CutNetwork::source;
     if (part == parts.size()) {
-      std::uint32_t& place = number[parities.find(finder.node_of_vertex_[meeting.vertex]).root];
+      std::uint32_t& place = number[parity_sets.find(finder.node_of_vertex_[meeting.vertex]).root];
       if (place == none) place = node(none, false);
       behind = place;
     } else {

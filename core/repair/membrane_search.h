@@ -14,7 +14,7 @@
 namespace isoloop {
 
 /// Whether members differ by even or odd classes.
-using Parities = Potentials<char, std::bit_xor<>>;
+using ParitySets = Potentials<char, std::bit_xor<>>;
 
 /// Its nodes are the vertices and cells that it meets.
 template <HoldsVoxels C>
@@ -40,7 +40,7 @@ struct MembraneFinder<C>::Search {
     bool turned;          // its first side is the group's second
   };
 
-  Search(MembraneFinder& owner, const MembraneQuery& asked, const MembraneSearch& how)
+  Search(MembraneFinder& owner, const MembraneQuery& asked, const MembraneOptions& how)
       : finder(owner), query(asked), search(how) {}
   Search(const Search&) = delete;
   Search& operator=(const Search&) = delete;
@@ -58,7 +58,7 @@ struct MembraneFinder<C>::Search {
   std::uint32_t node_of(std::uint32_t number, bool is_vertex) {
     auto& place = (is_vertex ? finder.node_of_vertex_ : finder.node_of_cell_)[number];
     if (place == none) {
-      place = parities.add();
+      place = parity_sets.add();
       nodes.push_back({number, is_vertex, false});
     }
     return place;
@@ -124,8 +124,7 @@ struct MembraneFinder<C>::Search {
   void for_each_corner(const Incidence& at, const Visit& visit) const {
     const Lattice& lattice = finder.sides_.lattice;
     for (unsigned c = 0; c < 8; ++c) {
-      std::uint32_t corner = at.cube;
-      for (unsigned a = 0; a < 3; ++a) corner += (c >> a & 1U) * lattice.stride[a];
+      const std::uint32_t corner = lattice.corner(at.cube, c);
       if (is_here(corner) && finder.complex_.cell_at(at.cube, corner) == at.cell) visit(corner);
     }
   }
@@ -145,8 +144,8 @@ struct MembraneFinder<C>::Search {
 
   MembraneFinder& finder;
   const MembraneQuery& query;
-  const MembraneSearch& search;
-  Parities parities;
+  const MembraneOptions& search;
+  ParitySets parity_sets;
   std::vector<Node> nodes;
   std::vector<std::uint32_t> near;  // vertices of N, from the loop outwards
   std::vector<Meeting> meetings;

@@ -11,7 +11,7 @@
 #include "core/base/memory_budget.h"
 #include "core/grid/level.h"
 #include "core/loops/certificate.h"
-#include "core/repair/class_passage.h"
+#include "core/repair/homology_map.h"
 #include "core/repair/repair_round.h"
 #include "core/repair/voxel_values.h"
 
@@ -55,28 +55,21 @@ bool is_short(const LoopSite& site, const RepairRequest& request) {
 
 /// The named loops that are left, as loops of the next analysis.
 std::vector<Target> carried(const std::vector<Target>& targets, const Workings& before,
-                            const Workings& after, const ClassPassage& passage) {
+                            const Workings& after, const HomologyMap& map) {
   std::vector<Target> left;
   const Lattice& from = before.sides->lattice;
   const Lattice& to = after.sides->lattice;
   for (Target target : targets) {
-    const auto image = passage.image(joint_class(before, target.site));
+    const auto image = map.image(joint_class(before, target.site));
     if (!image || image->empty()) continue;
     const Side side = side_of(target.site.kind);
     target.site.other = split_class(after.classes, side, *image).other;
     target.site.crossing = after.on(side).border_classes.coordinates(target.site.other).value();
     std::vector<std::uint32_t> edges;
     for (const std::uint32_t edge : target.site.edges) {
-      const auto p = from.position(edge / 3);
-      std::array<std::uint32_t, 3> q{};
-      bool within = true;
-      for (std::size_t a = 0; a < 3; ++a) {
-        const std::int64_t at = from.first[a] + p[a] - to.first[a];
-        within = within && at >= 0 && at < to.dims[a];
-        q[a] = static_cast<std::uint32_t>(at);
-      }
-      if (!within) continue;
-      const std::uint32_t moved = 3 * to.vertex(q[0], q[1], q[2]) + edge % 3;
+      const auto end = to.vertex_at(from.voxel_at(edge / 3));
+      if (!end) continue;
+      const std::uint32_t moved = 3 * *end + edge % 3;
       if (after.edges->is_cut(moved)) edges.push_back(moved);
     }
     target.site.edges = std::move(edges);
@@ -187,9 +180,9 @@ class Repairer {
       Workings next = work_out_loops(values_.view(), level_, within(room_beside_now()));
       std::vector<GeneratorSet> classes;
       for (const Done& done : outcome.done) classes.push_back(done.joint_class);
-      const ClassPassage passage(now_, next, changed_by(outcome), classes);
-      if (is_sound(outcome, next, passage)) {
-        named_ = carried(named_, now_, next, passage);
+      const HomologyMap map(now_, next, changed_by(outcome), classes);
+      if (is_sound(outcome, next, map)) {
+        named_ = carried(named_, now_, next, map);
         accept(outcome, std::move(next));
         return true;
       }
@@ -233,14 +226,14 @@ class Repairer {
   }
 
   /// Where all loops are to go there is none that must stay.
-  bool is_sound(const Outcome& outcome, const Workings& next, const ClassPassage& passage) const {
+  bool is_sound(const Outcome& outcome, const Workings& next, const HomologyMap& map) const {
     const Analysis& before = now_.analysis;
     const Analysis& after = next.analysis;
     const auto removed = static_cast<std::int64_t>(outcome.done.size());
     const bool all_go = request_.genus && *request_.genus <= 0;
     return after.surface.genus() == before.surface.genus() - removed &&
            before.betti.b0 == after.betti.b0 && before.betti.b2 == after.betti.b2 &&
-           (all_go || !passage.check());
+           (all_go || !map.check());
   }
 
   void accept(const Outcome& outcome, Workings next) {

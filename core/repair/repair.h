@@ -18,13 +18,13 @@ struct Repair : RepairChanges {
 /// Removes what the request asks for, shortest loops first, and analyses the result again, until
 /// nothing that it asks for is left. Every removal lowers the genus by one and changes neither
 /// components nor cavities; in every round all classes of loops but the removed ones are proved to
-/// be still there, each of its kind (ClassPassage). To remove a handle also removes the tunnel that
+/// be still there, each of its kind (HomologyMap). To remove a handle also removes the tunnel that
 /// it stands beside, so a loop that was asked for may have gone with another; and where no cut will
 /// do (a cut would open a cavity, or the tunnel is knotted), the handle is removed by filling a
 /// tunnel that crosses it, and a tunnel by cutting.
 ///
 /// The boundary must be closed. Throws InvalidArgument (an id that does not exist, an open
-/// boundary), SelfCheckFailed if a loop cannot be removed so, naming it, and what find_loops()
+/// boundary), SelfCheckFailed if a loop cannot be removed so, naming it, and what analyze()
 /// throws.
 Repair repair_loops(const AnyGridView& grid, const IsoLevel& level, const RepairRequest& request,
                     const AnalysisOptions& options = {});

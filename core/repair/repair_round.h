@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/analysis/analysis.h"
+#include "core/analysis/workings.h"
 #include "core/base/memory_budget.h"
 #include "core/grid/grid.h"
 #include "core/repair/loop_remover.h"

@@ -4,8 +4,8 @@
 
 namespace isoloop {
 
-ShortList<Step, 14> ends_of_steps(const CubeRanks& ranks) {
-  ShortList<Step, 14> ends;
+InplaceVector<Step, 14> ends_of_steps(const CubeRanks& ranks) {
+  InplaceVector<Step, 14> ends;
   const auto insert = [&](Step end) {
     std::size_t at = ends.count++;
     for (; at > 0 && ends.items[at - 1] > end; --at) ends.items[at] = ends.items[at - 1];

@@ -10,7 +10,7 @@
 #include <array>
 #include <cstdint>
 
-#include "core/base/short_list.h"
+#include "core/base/inplace_vector.h"
 #include "core/cube/cube.h"
 #include "core/cube/cube_interior.h"
 
@@ -44,7 +44,7 @@ struct CubeRanks {
 };
 
 /// Where the cut may change: all ranks and ends of stretches, ascending.
-ShortList<Step, 14> ends_of_steps(const CubeRanks& ranks);
+InplaceVector<Step, 14> ends_of_steps(const CubeRanks& ranks);
 
 /// A tunnel joins the cells of one side at two corners of a cube.
 struct TunnelEnds {

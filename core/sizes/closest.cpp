@@ -320,7 +320,7 @@ void for_each_slab(const Lattice& lattice, const Body& body) {
 
 }  // namespace
 
-UnsetVector<std::uint32_t> closest_surface_vertices(const Sides& sides, const EdgeIndex& edges,
+UnsetVector<std::uint32_t> closest_surface_vertices(const VoxelSides& sides, const EdgeIndex& edges,
                                                     const Surface& surface) {
   const Lattice& lattice = sides.lattice;
   const CutLattice cut{lattice, edges, surface};

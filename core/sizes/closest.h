@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "core/base/unset_vector.h"
-#include "core/cube/sides.h"
+#include "core/cube/voxel_sides.h"
 #include "core/surface/edge_index.h"
 #include "core/surface/surface.h"
 
@@ -13,7 +13,7 @@ namespace isoloop {
 /// Exact in Euclidean distance (unit of the spacing), up to single precision; a separable lower
 /// envelope of parabolas (Felzenszwalb and Huttenlocher, Theory of Computing 8, 2012) for the
 /// vertices of M on edges along each axis. Result by lattice vertex; linear time. M not empty.
-UnsetVector<std::uint32_t> closest_surface_vertices(const Sides& sides, const EdgeIndex& edges,
+UnsetVector<std::uint32_t> closest_surface_vertices(const VoxelSides& sides, const EdgeIndex& edges,
                                                     const Surface& surface);
 
 }  // namespace isoloop

@@ -25,7 +25,7 @@ constexpr double level_radius = 8.0;  // blocks of the level
 
 /// Which vertices of M are closest to the ends of K's edges that are grid edges or halves of them.
 struct Ends {
-  const Sides& sides;
+  const VoxelSides& sides;
   const EdgeIndex& edges;
   std::span<const std::uint32_t> closest;  // by lattice vertex
 
@@ -239,7 +239,7 @@ std::vector<float> pair_lengths(const Surface& surface, const VertexPairs& pairs
 
 }  // namespace
 
-EdgeSizes geodesic_sizes(const Sides& sides, const EdgeIndex& edges, const Surface& surface,
+EdgeSizes geodesic_sizes(const VoxelSides& sides, const EdgeIndex& edges, const Surface& surface,
                          std::span<const std::uint32_t> closest, GeodesicMode mode) {
   const Ends ends{sides, edges, closest};
   EdgeSet not_zero = edges_of_size(ends);

@@ -9,7 +9,7 @@
 #include <tbb/parallel_for.h>
 
 #include "core/base/unset_vector.h"
-#include "core/cube/sides.h"
+#include "core/cube/voxel_sides.h"
 #include "core/surface/edge_index.h"
 #include "core/surface/edge_set.h"
 #include "core/surface/surface.h"
@@ -63,7 +63,7 @@ struct EdgeSizes {
 /// hierarchy's sizes are 0.97 to 1.05 times the exact ones on the mean on a torus, a plate, a
 /// lattice, a gyroid and smoothed noise, with a standard deviation of about 0.12; beyond 64 voxels
 /// on smoothed noise 1.10.
-EdgeSizes geodesic_sizes(const Sides& sides, const EdgeIndex& edges, const Surface& surface,
+EdgeSizes geodesic_sizes(const VoxelSides& sides, const EdgeIndex& edges, const Surface& surface,
                          std::span<const std::uint32_t> closest, GeodesicMode mode);
 
 }  // namespace isoloop

@@ -6,14 +6,14 @@
 
 #include <tbb/parallel_for.h>
 
+#include "core/base/compressed_rows.h"
 #include "core/base/disjoint_sets.h"
-#include "core/base/rows.h"
 
 namespace isoloop {
 namespace {
 
 /// An edge from `source` to each value of its row, as long as the straight line between centers.
-EdgeGraph graph_of(const Rows& targets, const std::vector<Vec3>& centers) {
+EdgeGraph graph_of(const CompressedRows& targets, const std::vector<Vec3>& centers) {
   const auto count = static_cast<std::uint32_t>(centers.size());
   std::vector<std::pair<std::uint32_t, std::uint32_t>> arcs(targets.values.size());
   EdgeGraph graph;
@@ -53,8 +53,8 @@ std::vector<std::uint32_t> parents(const ClusterLevel& level, const EdgeGraph& n
 }
 
 /// Of each of `count` parents, those of the neighbours of its children.
-Rows neighbors_of(const EdgeGraph& graph, const std::vector<std::uint32_t>& parent,
-                  std::uint32_t count) {
+CompressedRows neighbors_of(const EdgeGraph& graph, const std::vector<std::uint32_t>& parent,
+                            std::uint32_t count) {
   const auto for_each_arc = [&](const auto& visit) {
     tbb::parallel_for(std::uint32_t{0}, graph.vertex_count(), [&](std::uint32_t c) {
       graph.for_each_out_edge(c, [&](std::uint32_t next, std::uint32_t) {

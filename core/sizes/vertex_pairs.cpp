@@ -12,7 +12,7 @@ std::uint32_t VertexPairs::find(std::uint32_t a, std::uint32_t b) const {
 }
 
 VertexPairs PairCollector::take() {
-  Rows rows = rows_.take();
+  CompressedRows rows = rows_.take();
   return {std::move(rows.first), std::move(rows.values)};
 }
 

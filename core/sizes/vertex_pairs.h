@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/base/rows.h"
+#include "core/base/compressed_rows.h"
 #include "core/base/unset_vector.h"
 
 namespace isoloop {

@@ -36,7 +36,7 @@ std::uint32_t brick_place(const Lattice& lattice, std::uint32_t vertex, int bits
 }
 
 /// The cut edges at 64 lattice vertices.
-EdgeSet::BlockBits cut_edges(const Sides& sides, std::uint32_t b) {
+EdgeSet::BlockBits cut_edges(const VoxelSides& sides, std::uint32_t b) {
   const std::uint32_t vertices = sides.lattice.vertex_count();
   EdgeSet::BlockBits cut{};
   for (std::uint32_t a = 0; a < 3; ++a) {
@@ -57,7 +57,7 @@ EdgeSet::BlockBits cut_edges(const Sides& sides, std::uint32_t b) {
 
 }  // namespace
 
-EdgeIndex::EdgeIndex(const Sides& sides)
+EdgeIndex::EdgeIndex(const VoxelSides& sides)
     : cut_(sides.lattice.vertex_count(), [&](std::uint32_t b) { return cut_edges(sides, b); }) {
   if (count() > std::numeric_limits<std::uint32_t>::max() / 12)
     throw LimitExceeded({.text = "the surface has too many vertices for 32-bit indices",

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/cube/sides.h"
+#include "core/cube/voxel_sides.h"
 #include "core/surface/edge_set.h"
 
 namespace isoloop {
@@ -15,7 +15,7 @@ namespace isoloop {
 /// vertices in one row of the lattice the one with the lesser x comes first.
 class EdgeIndex {
  public:
-  explicit EdgeIndex(const Sides& sides);
+  explicit EdgeIndex(const VoxelSides& sides);
 
   std::uint32_t count() const { return cut_.count(); }
 

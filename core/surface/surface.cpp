@@ -45,14 +45,12 @@ double share_from_lower(const GridView<T>& grid, const IsoLevel& level, const In
 }
 
 template <class T>
-void place_vertices(const GridView<T>& grid, const IsoLevel& level, const Sides& sides,
+void place_vertices(const GridView<T>& grid, const IsoLevel& level, const VoxelSides& sides,
                     const EdgeIndex& edges, Surface& surface) {
   tbb::parallel_for(std::uint32_t{0}, edges.block_count(), [&](std::uint32_t b) {
     edges.visit_block(b, [&](std::uint32_t vertex, std::uint32_t grid_edge) {
-      const auto p = sides.lattice.position(grid_edge / 3);
+      const Index3 lower = sides.lattice.voxel_at(grid_edge / 3);
       const int axis = static_cast<int>(grid_edge % 3);
-      Index3 lower{};
-      for (int a = 0; a < 3; ++a) lower[a] = sides.lattice.first[a] + p[a];
       for (int a = 0; a < 3; ++a) surface.points[vertex][a] = static_cast<float>(lower[a]);
       surface.points[vertex][axis] = static_cast<float>(static_cast<double>(lower[axis]) +
                                                         share_from_lower(grid, level, lower, axis));
@@ -62,13 +60,11 @@ void place_vertices(const GridView<T>& grid, const IsoLevel& level, const Sides&
 }
 
 template <class T>
-void place_rings(const GridView<T>& grid, const IsoLevel& level, const Sides& sides,
+void place_rings(const GridView<T>& grid, const IsoLevel& level, const VoxelSides& sides,
                  const EdgeIndex& edges, Surface& surface) {
   for (std::size_t t = 0; t < sides.tunnels.size(); ++t) {
     const auto& [cube, hub] = sides.tunnels[t];
-    const auto p = sides.lattice.position(cube);
-    Index3 lowest{};
-    for (int a = 0; a < 3; ++a) lowest[a] = sides.lattice.first[a] + p[a];
+    const Index3 lowest = sides.lattice.voxel_at(cube);
     const auto ring = tunnel_ring(corner_levels(grid, level, lowest), hub, least_share(lowest));
     for (int i = 0; i < ring_size; ++i)
       for (int a = 0; a < 3; ++a)
@@ -79,13 +75,13 @@ void place_rings(const GridView<T>& grid, const IsoLevel& level, const Sides& si
 
 /// Calls visit(cube, cut) for the cut cubes of one layer, in scan order.
 template <class Visit>
-void for_each_cut_cube(const Sides& sides, std::uint32_t layer, const Visit& visit) {
+void for_each_cut_cube(const VoxelSides& sides, std::uint32_t layer, const Visit& visit) {
   const std::uint32_t begin = layer * sides.lattice.stride[2];
   for (std::uint32_t v = begin; v < begin + sides.lattice.stride[2]; ++v)
-    if ((sides.cubes[v] & Sides::is_cut) != 0) visit(v, cut_at(sides, v));
+    if ((sides.cubes[v] & VoxelSides::is_cut) != 0) visit(v, cut_at(sides, v));
 }
 
-void triangulate(const Sides& sides, const EdgeIndex& edges, Surface& surface) {
+void triangulate(const VoxelSides& sides, const EdgeIndex& edges, Surface& surface) {
   const std::uint32_t layers = sides.lattice.dims[2];
   std::vector<std::int64_t> polygons(layers);
   std::vector<std::size_t> first(layers + 1);
@@ -117,7 +113,8 @@ void triangulate(const Sides& sides, const EdgeIndex& edges, Surface& surface) {
 
 /// An edge that no other triangle runs along the other way lies on the border of the box, and so do
 /// the grid edges of its ends.
-std::vector<std::array<std::uint32_t, 2>> find_border(const Sides& sides, const Surface& surface) {
+std::vector<std::array<std::uint32_t, 2>> find_border(const VoxelSides& sides,
+                                                      const Surface& surface) {
   if (sides.boundary == Boundary::closed) return {};
   struct Directed {
     std::array<std::uint32_t, 2> ends;  // ascending
@@ -126,7 +123,7 @@ std::vector<std::array<std::uint32_t, 2>> find_border(const Sides& sides, const 
   };
   const auto near_border = [&](std::uint32_t vertex) {
     return vertex < surface.grid_edges.size() &&
-           (sides.cubes[surface.grid_edges[vertex] / 3] & Sides::on_border) != 0;
+           (sides.cubes[surface.grid_edges[vertex] / 3] & VoxelSides::on_border) != 0;
   };
   std::vector<Directed> found;
   for (const auto& triangle : surface.triangles)
@@ -194,7 +191,7 @@ void build_graph(Surface& surface) {
 
 /// Where M is closed, a component's first crossing of any grid row leads into the region that it
 /// encloses; so the side before its first vertex on an x-edge tells whether it encloses I or O.
-void number_components(const Sides& sides, Surface& surface) {
+void number_components(const VoxelSides& sides, Surface& surface) {
   const auto count = static_cast<std::uint32_t>(surface.points.size());
   DisjointSets sets(count);
   for (const auto& [a, b, c] : surface.triangles) {
@@ -257,7 +254,7 @@ std::int64_t Surface::betti1() const {
   return sum;
 }
 
-Surface extract_surface(const AnyGridView& grid, const IsoLevel& level, const Sides& sides,
+Surface extract_surface(const AnyGridView& grid, const IsoLevel& level, const VoxelSides& sides,
                         const EdgeIndex& edges, bool with_graph) {
   Surface surface;
   surface.spacing = std::visit([](const auto& view) { return view.spacing; }, grid);

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/cube/sides.h"
+#include "core/cube/voxel_sides.h"
 #include "core/surface/edge_graph.h"
 #include "core/surface/edge_index.h"
 #include "isoloop/surface.h"
@@ -16,7 +16,7 @@ namespace isoloop {
 /// grid edge each, numbered by EdgeIndex; then, strictly within a cube each, the rings round
 /// tunnels (ring_vertex()).
 struct Surface : SurfaceMesh {
-  /// The grid edge (Sides' lattice) that each of the first vertices cuts.
+  /// The grid edge (VoxelSides' lattice) that each of the first vertices cuts.
   std::vector<std::uint32_t> grid_edges;
   /// The cube of the lattice that holds each triangle; ascending.
   std::vector<std::uint32_t> triangle_cubes;
@@ -47,7 +47,7 @@ inline std::uint32_t ring_vertex(const EdgeIndex& edges, std::size_t tunnel, int
 /// `edges` from `sides`. Counts need no graph: without it Surface::graph stays empty. Throws
 /// LimitExceeded where vertices or triangle corners outgrow 32-bit indices, and SelfCheckFailed
 /// where an edge's length is not finite or not above 0.
-Surface extract_surface(const AnyGridView& grid, const IsoLevel& level, const Sides& sides,
+Surface extract_surface(const AnyGridView& grid, const IsoLevel& level, const VoxelSides& sides,
                         const EdgeIndex& edges, bool with_graph = true);
 
 /// Position in units of length (voxel index times spacing).

@@ -18,7 +18,7 @@ constexpr int most_rounds = 8;
 constexpr std::uint64_t least_settled = 1000;  // paths, by a first search from one of each
 constexpr std::uint64_t farther = 4;           // times as many, by the next one
 constexpr double share_of_a_round = 0.2;       // of the effort, for those that go farther
-constexpr std::size_t least_farther = 8;       // of these, whatever the effort
+constexpr double least_farther = 8.0;          // of these, while the effort lasts
 
 /// A loop of the other kind, as what this side's loops have to cross.
 struct Crossed {
@@ -49,21 +49,18 @@ double longest_gap(const Crossed& crossed, const std::vector<std::size_t>& start
   return gap;
 }
 
-std::vector<Crossed> crossed_by(Side side, const Surface& surface, const SurfaceClasses& classes,
-                                const SideLoops& across) {
+std::vector<Crossed> crossed_by(const Surface& surface, const SideLoops& across) {
   std::vector<Crossed> crossed;
   for (const Loop& loop : across.loops) {
     Crossed one;
     for (const Curve& curve : loop.curves)
-      for (std::size_t k = 0; k < curve.size(); ++k) {
-        one.vertices.push_back(curve[k]);
+      for_each_edge(curve, [&](std::uint32_t u, std::uint32_t v) {
+        one.vertices.push_back(u);
         one.along.push_back(one.length);
-        one.length += distance(scaled_point(surface, curve[k]),
-                               scaled_point(surface, curve[(k + 1) % curve.size()]));
-      }
+        one.length += distance(scaled_point(surface, u), scaled_point(surface, v));
+      });
     one.has_many_curves = loop.curves.size() > 1;
-    const SplitClass parts = split_class(classes, side, class_of(surface, classes, loop.curves));
-    one.crossing = across.border_classes.coordinates(parts.own).value();
+    one.crossing = across.border_classes.coordinates(loop.generators).value();
     crossed.push_back(std::move(one));
   }
   return crossed;
@@ -167,10 +164,11 @@ class Shortening {
       if (open.empty()) break;
       std::stable_sort(open.begin(), open.end(),
                        [&](std::uint32_t a, std::uint32_t b) { return longest[a] > longest[b]; });
-      const auto affordable =
-          std::max(least_farther, static_cast<std::size_t>(share / static_cast<double>(settled)));
-      if (settled > least_settled) open.resize(std::min(open.size(), affordable));
-      if (open.empty()) break;
+      if (settled > least_settled) {
+        const double each = static_cast<double>(settled);
+        const double affordable = std::max(share / each, std::min(least_farther, left_ / each));
+        open.resize(std::min(open.size(), static_cast<std::size_t>(affordable)));
+      }
       search_from_first(open, longest, settled, is_open, done);
     }
     return done;
@@ -291,28 +289,31 @@ class Shortening {
 
 }  // namespace
 
-double shorten_basis(const Surface& surface, const SurfaceClasses& classes, const SideLoops& side,
-                     const SideLoops& across, const BasisEffort& effort) {
-  if (side.loops.empty()) return 0.0;
-  const Side own = side_of(side.loops.front().kind);
+ShortenedBasis shorten_basis(const Surface& surface, const SurfaceClasses& classes,
+                             const SideLoops& side, const SideLoops& across,
+                             const BasisEffort& effort) {
+  ShortenedBasis shortened{{side.loops.begin(), side.loops.end()}, 0.0};
+  if (side.loops.empty()) return shortened;
   std::vector<BasisMember> members;
-  for (std::uint32_t i = 0; i < side.loops.size(); ++i) {
-    const std::vector<Curve>& curves = side.loops[i].curves;
-    members.push_back({curves, side.loops[i].length,
-                       split_class(classes, own, class_of(surface, classes, curves)).other, i});
-  }
+  for (const Loop& loop : side.loops)
+    members.push_back(
+        {loop.curves, loop.length, loop.generators, static_cast<std::uint32_t>(members.size())});
   Shortening shortening(
-      own, surface, classes, std::move(members), crossed_by(own, surface, classes, across),
+      side_of(side.loops.front().kind), surface, classes, std::move(members),
+      crossed_by(surface, across),
       effort.settled + effort.settled_per_vertex * static_cast<double>(surface.points.size()));
   shortening.run();
   const std::vector<std::uint32_t> loop_of = match_loops(shortening.members(), side.border_classes);
   for (std::size_t m = 0; m < loop_of.size(); ++m) {
-    Loop& loop = side.loops[loop_of[m]];
-    const double found_length = loop.found_length;
-    loop = measured_loop(surface, loop.kind, loop.id, loop.size, shortening.members()[m].curves);
-    loop.found_length = found_length;
+    const BasisMember& member = shortening.members()[m];
+    const Loop& found = side.loops[loop_of[m]];
+    Loop& loop = shortened.loops[loop_of[m]];
+    loop = measured_loop(surface, found.kind, found.id, found.size, member.curves);
+    loop.found_length = found.found_length;
+    loop.generators = member.other;
   }
-  return shortening.lower_bound();
+  shortened.least_length = shortening.lower_bound();
+  return shortened;
 }
 
 }  // namespace isoloop

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "core/loops/certificate.h"
 #include "core/loops/loops.h"
@@ -20,8 +21,13 @@ struct BasisEffort {
 
 /// All g loops of one kind, certified, and border_classes() of the side on which they bound.
 struct SideLoops {
-  std::span<Loop> loops;
+  std::span<const Loop> loops;
   const Z2Basis& border_classes;
+};
+
+struct ShortenedBasis {
+  std::vector<Loop> loops;    // as many as before, in their order
+  double least_length = 0.0;  // no basis along edges of M is shorter in all; unit of the spacing
 };
 
 /// Exchanges the loops of `side` for shorter ones that together still span what bounds there.
@@ -30,10 +36,11 @@ struct SideLoops {
 /// exchanged, through their own vertices. The shortest are taken while they are independent, until
 /// nothing gets shorter or the effort is spent. Each loop keeps its id and size: the cycle that
 /// takes its place closes the same handle (or tunnel) and maybe others, that is, its class has
-/// coordinate id - 1 in border_classes. Not certified anew. Returns a lower bound of the total
-/// length of any basis along edges of M (Erickson and Whittlesey, SODA 2005, made to fit a
-/// subspace: docs/shortest_loops.md has the proofs and says when the outcome is a minimum).
-double shorten_basis(const Surface& surface, const SurfaceClasses& classes, const SideLoops& side,
-                     const SideLoops& across, const BasisEffort& effort = {});
+/// coordinate id - 1 in border_classes. Their classes are filled in, but not proved anew (Erickson
+/// and Whittlesey, SODA 2005, made to fit a subspace: docs/shortest_loops.md has the proofs and
+/// says when the outcome is a minimum).
+ShortenedBasis shorten_basis(const Surface& surface, const SurfaceClasses& classes,
+                             const SideLoops& side, const SideLoops& across,
+                             const BasisEffort& effort = {});
 
 }  // namespace isoloop

@@ -11,8 +11,8 @@
 
 namespace isoloop {
 
-void straighten_loops(const Surface& surface, const SurfaceClasses& classes,
-                      std::span<Loop> loops) {
+std::vector<Loop> straightened(const Surface& surface, const SurfaceClasses& classes,
+                               std::vector<Loop> loops) {
   const TriangleFans fans(surface);
   tbb::parallel_for(std::size_t{0}, loops.size(), [&](std::size_t i) {
     Loop& loop = loops[i];
@@ -29,6 +29,7 @@ void straighten_loops(const Surface& surface, const SurfaceClasses& classes,
     }
     set_geodesics(surface, loop, std::move(geodesics));
   });
+  return loops;
 }
 
 }  // namespace isoloop

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/z2/label.h"
+#include "core/z2/z2_vector.h"
 
 namespace isoloop {
 
@@ -24,7 +25,7 @@ class Z2Basis {
   /// What is left of `vector` modulo the span: the one set without a pivot that it can be changed
   /// to by adding some of the v_k.
   GeneratorSet remainder(std::span<const std::uint32_t> vector) const {
-    return reduce(vector).vector;
+    return reduce(vector).vector.ones();
   }
 
   bool is_pivot(std::uint32_t element) const { return row_of_pivot_.count(element) > 0; }
@@ -33,8 +34,8 @@ class Z2Basis {
 
  private:
   struct Row {
-    GeneratorSet vector;       // its greatest element is its pivot; it holds none of those before
-    GeneratorSet combination;  // the v_k that sum to it
+    Z2Vector vector;       // its greatest element is its pivot; it holds none of those before
+    Z2Vector combination;  // the v_k that sum to it
   };
   Row reduce(std::span<const std::uint32_t> vector) const;
 

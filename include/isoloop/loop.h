@@ -62,6 +62,9 @@ struct Loop {
   std::vector<Curve> curves;          // along edges of M: what is certified
   std::vector<Geodesic> geodesics{};  // empty, or what the curves shorten to, one by one
   LoopCertificate certificate;
+  /// Its class in the homology of the side where it does not bound (of M, if its kind is `loop`),
+  /// as the certificate's proof found it: numbers of generators, ascending, within one analysis.
+  std::vector<std::uint32_t> generators{};
 };
 
 /// The points of each closed curve as it is drawn, in voxel indices: of the geodesics if there are

@@ -10,7 +10,7 @@
 #include "core/analysis/analysis.h"
 #include "core/complex/grid_complex.h"
 #include "core/complex/grid_sizes.h"
-#include "core/cube/sides.h"
+#include "core/cube/voxel_sides.h"
 #include "core/engines/dual_pass.h"
 #include "core/sizes/closest.h"
 #include "core/sizes/geodesic_size.h"
@@ -34,7 +34,7 @@ struct Prepared {
 
   Shape shape;
   AnyGridView grid;
-  Sides sides;
+  VoxelSides sides;
   EdgeIndex edges;
   Surface surface;
   UnsetVector<std::uint32_t> closest;
@@ -67,7 +67,7 @@ void run_count(const Prepared& p) {
   benchmark::DoNotOptimize(count_topology(p.grid, p.shape.level));
 }
 
-void run_all(const Prepared& p) { benchmark::DoNotOptimize(find_loops(p.grid, p.shape.level)); }
+void run_all(const Prepared& p) { benchmark::DoNotOptimize(analyze(p.grid, p.shape.level)); }
 
 using Stage = void (*)(const Prepared&);
 

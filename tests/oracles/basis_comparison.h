@@ -27,26 +27,33 @@ struct WithLoops {
         outside_borders(killing_borders(*prepared.outside, outside)),
         inside_classes(border_classes(prepared.surface, classes, Side::inside, inside_borders)),
         outside_classes(border_classes(prepared.surface, classes, Side::outside, outside_borders)),
-        handles(loops_of_side(prepared.surface, classes,
-                              {*prepared.inside, inside, inside_borders, inside_classes},
-                              prepared.closest)
-                    .loops),
-        tunnels(loops_of_side(prepared.surface, classes,
-                              {*prepared.outside, outside, outside_borders, outside_classes},
-                              prepared.closest)
-                    .loops) {}
+        handles(found_on(*prepared.inside, inside, inside_borders, inside_classes)),
+        tunnels(found_on(*prepared.outside, outside, outside_borders, outside_classes)) {}
 
   void shorten(const BasisEffort& effort = {}) {
-    const SideLoops in{handles, inside_classes};
-    const SideLoops out{tunnels, outside_classes};
-    handle_bound = shorten_basis(prepared.surface, classes, in, out, effort);
-    tunnel_bound = shorten_basis(prepared.surface, classes, out, in, effort);
+    const std::vector<Loop> all = certified(prepared.surface, classes, all_loops());
+    const SideLoops in{loops_of_kind(all, LoopKind::handle), inside_classes};
+    const SideLoops out{loops_of_kind(all, LoopKind::tunnel), outside_classes};
+    const ShortenedBasis short_handles = shorten_basis(prepared.surface, classes, in, out, effort);
+    const ShortenedBasis short_tunnels = shorten_basis(
+        prepared.surface, classes, out, {short_handles.loops, inside_classes}, effort);
+    handles = short_handles.loops;
+    tunnels = short_tunnels.loops;
+    handle_bound = short_handles.least_length;
+    tunnel_bound = short_tunnels.least_length;
   }
 
   std::vector<Loop> all_loops() const {
     std::vector<Loop> all = handles;
     all.insert(all.end(), tunnels.begin(), tunnels.end());
     return all;
+  }
+
+  std::vector<Loop> found_on(const GridComplex& complex, const DualPass& pass,
+                             const KillingBorders& borders, const Z2Basis& classes_there) const {
+    const std::vector<Curve> starts = starts_near(complex, pass.killing, prepared.closest);
+    return loops_of_side(prepared.surface, classes,
+                         {complex.side(), pass.killing, starts, borders, classes_there});
   }
 
   Prepared prepared;
@@ -100,8 +107,8 @@ inline double shortened_over_least(const SmallVolume& volume) {
   const double tunnels = least_length(loops, Side::outside);
   EXPECT_LE(loops.handle_bound, handles);
   EXPECT_LE(loops.tunnel_bound, tunnels);
-  std::vector<Loop> all = loops.all_loops();
-  EXPECT_NO_THROW(certify(loops.prepared.surface, loops.classes, all));
+  const std::vector<Loop> all = loops.all_loops();
+  EXPECT_NO_THROW(certified(loops.prepared.surface, loops.classes, all));
   EXPECT_GT(total_length(all), (handles + tunnels) * (1.0 - 1e-6)) << "shorter than the least";
   return total_length(all) / (handles + tunnels);
 }
@@ -112,7 +119,7 @@ inline std::optional<SmallVolume> small_surface(std::uint32_t seed) {
   const Index3 dims{4 + seed % 10, 4 + seed / 10 % 10, 4 + seed / 100 % 10};
   SmallVolume volume = seed % 4 == 0 ? white_noise(dims, seed)
                                      : smooth_noise(dims, seed, static_cast<int>(seed % 4 / 2 + 1));
-  const Sides sides = classify(volume.view(), zero_level);
+  const VoxelSides sides = classify(volume.view(), zero_level);
   const Surface surface = extract_surface(volume.view(), zero_level, sides, EdgeIndex(sides));
   if (surface.triangles.size() > 2000 || surface.genus() < 1 || surface.genus() > 8) return {};
   return volume;

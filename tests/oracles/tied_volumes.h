@@ -85,7 +85,7 @@ inline bool same_loops(const Analysis& a, const Analysis& b) {
 template <class Count>
 std::string complaint_about(const TiedVolume& volume, Count& loops) {
   const auto run = [&](int threads) {
-    return with_threads(threads, [&] { return find_loops(volume.view(), volume.level); });
+    return with_threads(threads, [&] { return analyze(volume.view(), volume.level); });
   };
   try {
     const Analysis analysis = run(1);

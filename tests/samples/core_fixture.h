@@ -6,7 +6,7 @@
 
 #include "core/complex/grid_complex.h"
 #include "core/complex/grid_sizes.h"
-#include "core/cube/sides.h"
+#include "core/cube/voxel_sides.h"
 #include "core/engines/dual_pass.h"
 #include "core/sizes/closest.h"
 #include "core/sizes/geodesic_size.h"
@@ -20,9 +20,9 @@ namespace isoloop::testing {
 inline constexpr IsoLevel zero_level{0.0, InsideRule::above};
 
 /// The walls that core/ builds, for the complex written out in `box`, which holds that of `sides`.
-inline oracle::Walls walls_of(const Sides& sides, const Lattice& box) {
+inline oracle::Walls walls_of(const VoxelSides& sides, const Lattice& box) {
   oracle::Walls walls;
-  for (const Sides::Tunnel& tunnel : sides.tunnels) {
+  for (const VoxelSides::Tunnel& tunnel : sides.tunnels) {
     auto p = sides.lattice.position(tunnel.cube);
     for (int a = 0; a < 3; ++a)
       p[a] += static_cast<std::uint32_t>(sides.lattice.first[a] - box.first[a]);
@@ -33,7 +33,7 @@ inline oracle::Walls walls_of(const Sides& sides, const Lattice& box) {
   return walls;
 }
 
-inline oracle::Walls walls_of(const Sides& sides) { return walls_of(sides, sides.lattice); }
+inline oracle::Walls walls_of(const VoxelSides& sides) { return walls_of(sides, sides.lattice); }
 
 /// Owns what GridComplex refers to; not to be moved.
 struct Prepared {
@@ -57,7 +57,7 @@ struct Prepared {
   DualPass pass_on(Side side) const { return dual_pass(complex(side), sizes_on(side)); }
 
   SmallVolume volume;
-  Sides sides;
+  VoxelSides sides;
   EdgeIndex edges;
   Surface surface;
   UnsetVector<std::uint32_t> closest;

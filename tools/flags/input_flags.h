@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/cube/sides.h"
+#include "core/cube/voxel_sides.h"
 #include "core/grid/grid.h"
 #include "tools/words/cli_app.h"
 #include "volume/files/read.h"

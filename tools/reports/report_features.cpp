@@ -80,8 +80,9 @@ std::vector<T> label_values(const LoopsRun& run) {
 }  // namespace
 
 std::size_t place_of(const LoopsRun& run, const Loop& loop) {
-  const std::size_t first = loop.kind == LoopKind::tunnel ? run.analysis.loops.size() / 2 : 0;
-  return first + static_cast<std::size_t>(loop.id) - 1;
+  const std::span<const Loop> all = run.analysis.loops;
+  const std::span<const Loop> of_kind = loops_of_kind(all, loop.kind);
+  return static_cast<std::size_t>(of_kind.data() - all.data() + loop.id - 1);
 }
 
 Vec3 world_axis(const LoopsRun& run, const Feature& feature) {

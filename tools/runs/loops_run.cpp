@@ -32,15 +32,15 @@ LoopsRun found_in(RunInput volume, const LoopsInput& input, const Progress& prog
   if (!input.max_size.empty())
     run.filter.max_size =
         length_in(parse_length("--max-size", input.max_size), run.volume, "--max-size");
-  run.analysis = find_loops(voxels_of(run), run.level,
-                            {.boundary = boundary,
-                             .geodesic = run.geodesic,
-                             .engine = run.engine,
-                             .tighten = run.tighten,
-                             .pair = pair,
-                             .count_volume_triangles = input.engine.stats,
-                             .progress = progress,
-                             .max_bytes = run.cost.max_bytes});
+  run.analysis = analyze(voxels_of(run), run.level,
+                         {.boundary = boundary,
+                          .geodesic = run.geodesic,
+                          .engine = run.engine,
+                          .tighten = run.tighten,
+                          .pair = pair,
+                          .count_volume_triangles = input.engine.stats,
+                          .progress = progress,
+                          .max_bytes = run.cost.max_bytes});
   if (progress) progress("checks", 0.92);
   check_counts(run.analysis);
   check_loops(run.analysis);

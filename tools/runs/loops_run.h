@@ -31,7 +31,7 @@ struct LoopsInput {
 void check_engine_flags(const LoopsInput& input);
 
 /// Reads the volume, finds, proves and checks all loops and selects those to report. Throws as
-/// read_run(), find_loops(), check_counts() and check_loops() do, and InvalidArgument for flags
+/// read_run(), analyze(), check_counts() and check_loops() do, and InvalidArgument for flags
 /// that do not go together.
 LoopsRun find_run(const LoopsInput& input, const Progress& progress);
 

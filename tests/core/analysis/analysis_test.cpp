@@ -43,20 +43,20 @@ TEST(Analysis, SameBytesForAnyNumberOfThreads) {
   std::set<std::string> results;
   for (const int threads : {1, 2, 4, 16, 2})
     results.insert(
-        fingerprint(with_threads(threads, [&] { return find_loops(volume.view(), zero_level); })));
+        fingerprint(with_threads(threads, [&] { return analyze(volume.view(), zero_level); })));
   EXPECT_EQ(results.size(), 1U);
 }
 
 TEST(Analysis, AnEmptySurfaceHasNoLoops) {
   const SmallVolume volume{std::vector<double>(8, -1.0), {2, 2, 2}};
-  const Analysis analysis = find_loops(volume.view(), zero_level);
+  const Analysis analysis = analyze(volume.view(), zero_level);
   EXPECT_TRUE(analysis.loops.empty());
   EXPECT_EQ(analysis.betti.b0, 0);
 }
 
 TEST(Analysis, AFullVolumeIsOneBall) {
   const SmallVolume volume{std::vector<double>(27, 1.0), {3, 3, 3}};
-  const Analysis analysis = find_loops(volume.view(), zero_level);
+  const Analysis analysis = analyze(volume.view(), zero_level);
   EXPECT_TRUE(analysis.loops.empty());
   EXPECT_EQ(analysis.betti.b0, 1);
   EXPECT_EQ(analysis.betti.b1, 0);
@@ -64,19 +64,19 @@ TEST(Analysis, AFullVolumeIsOneBall) {
 
 TEST(Analysis, AxesOfOneVoxelWork) {
   const SmallVolume ring{{1, 1, 1, 1, -1, 1, 1, 1, 1}, {3, 3, 1}};
-  const Analysis analysis = find_loops(ring.view(), zero_level);
+  const Analysis analysis = analyze(ring.view(), zero_level);
   EXPECT_EQ(analysis.betti.b1, 1);
   EXPECT_EQ(analysis.loops.size(), 2U);
   const SmallVolume rod{{1, 1, 1}, {1, 3, 1}};
-  EXPECT_TRUE(find_loops(rod.view(), zero_level).loops.empty());
+  EXPECT_TRUE(analyze(rod.view(), zero_level).loops.empty());
 }
 
 TEST(Analysis, LengthsScaleWithTheSpacing) {
   const SmallVolume volume = testing::torus({24, 24, 24});
   GridView<double> doubled = volume.view();
   doubled.spacing = {2, 2, 2};
-  const Analysis one = find_loops(volume.view(), zero_level);
-  const Analysis two = find_loops(doubled, zero_level);
+  const Analysis one = analyze(volume.view(), zero_level);
+  const Analysis two = analyze(doubled, zero_level);
   ASSERT_EQ(one.loops.size(), two.loops.size());
   for (std::size_t i = 0; i < one.loops.size(); ++i) {
     EXPECT_NEAR(two.loops[i].length, 2 * one.loops[i].length, 1e-3);
@@ -88,8 +88,8 @@ TEST(Analysis, ExactSizesGiveAsManyLoops) {
   const SmallVolume volume = testing::smooth_noise({20, 20, 20}, 11, 2);
   AnalysisOptions exact;
   exact.geodesic = GeodesicMode::exact;
-  EXPECT_EQ(find_loops(volume.view(), zero_level, exact).loops.size(),
-            find_loops(volume.view(), zero_level).loops.size());
+  EXPECT_EQ(analyze(volume.view(), zero_level, exact).loops.size(),
+            analyze(volume.view(), zero_level).loops.size());
 }
 
 TEST(Analysis, TellsOfEveryStageOnce) {
@@ -103,13 +103,13 @@ TEST(Analysis, TellsOfEveryStageOnce) {
     stages.emplace_back(stage);
   };
   const SmallVolume volume = testing::torus({16, 16, 16});
-  find_loops(volume.view(), zero_level, options);
+  analyze(volume.view(), zero_level, options);
   EXPECT_EQ(stages, (std::vector<std::string>{"surface", "closest", "sizes", "pass", "loops"}));
 }
 
 TEST(Analysis, LosesNoLoopOfWhiteNoise) {
   const SmallVolume volume = testing::white_noise({28, 28, 28}, 1);
-  const Analysis analysis = find_loops(volume.view(), zero_level);
+  const Analysis analysis = analyze(volume.view(), zero_level);
   EXPECT_GT(analysis.surface.genus(), 1'000);
   EXPECT_EQ(static_cast<std::int64_t>(analysis.loops.size()), 2 * analysis.surface.genus());
 }

@@ -34,7 +34,7 @@ AnalysisOptions open_options(Engine engine = Engine::dual) {
 }
 
 Analysis open_loops(const SmallVolume& volume, Engine engine) {
-  return find_loops(volume.view(), testing::zero_level, open_options(engine));
+  return analyze(volume.view(), testing::zero_level, open_options(engine));
 }
 
 SmallVolume noise(std::uint32_t i, std::int64_t most) {
@@ -136,7 +136,7 @@ std::array<std::int64_t, 3> betti_by_ranks(const SmallVolume& volume) {
   std::array<std::uint32_t, 3> dims{};
   for (int a = 0; a < 3; ++a) dims[a] = static_cast<std::uint32_t>(volume.dims[a]);
   const Lattice box = make_lattice({0, 0, 0}, dims);
-  const Sides sides = classify(volume.view(), testing::zero_level, Boundary::open);
+  const VoxelSides sides = classify(volume.view(), testing::zero_level, Boundary::open);
   return oracle::betti_of_m(
       oracle::build_complex(volume.values, volume.dims, box, testing::walls_of(sides, box)));
 }
@@ -214,7 +214,7 @@ TEST(OpenBoundary, BothEnginesFindTheKillingPiecesOfTheSlowReduction) {
 TEST(OpenBoundary, EveryLoopIsProvedByBothEnginesOnThousandsOfVolumes) {
   tbb::parallel_for(std::uint32_t{0}, std::uint32_t{2000}, [&](std::uint32_t i) {
     const SmallVolume volume = noise(i, 9);
-    // find_loops() throws unless the loops are a basis of H1(M).
+    // analyze() throws unless the loops are a basis of H1(M).
     for (const Engine engine : {Engine::dual, Engine::pair}) {
       const Analysis analysis = open_loops(volume, engine);
       EXPECT_EQ(static_cast<std::int64_t>(analysis.loops.size()), analysis.surface.betti1());
@@ -229,7 +229,7 @@ TEST(OpenBoundary, EveryRefinementGivesABasis) {
       AnalysisOptions options = open_options(Engine::pair);
       options.pair.refinement = refinement;
       const Analysis analysis =
-          find_loops(testing::white_noise({8, 8, 8}, seed).view(), testing::zero_level, options);
+          analyze(testing::white_noise({8, 8, 8}, seed).view(), testing::zero_level, options);
       EXPECT_EQ(static_cast<std::int64_t>(analysis.loops.size()), analysis.surface.betti1());
     }
 }

@@ -16,11 +16,11 @@
 namespace isoloop {
 namespace {
 
-/// What find_loops() lacks within `bytes`, if anything.
+/// What analyze() lacks within `bytes`, if anything.
 std::optional<LimitExceeded> refusal_within(const testing::SmallVolume& volume,
                                             std::uint64_t bytes) {
   try {
-    find_loops(volume.view(), testing::zero_level, {.max_bytes = bytes});
+    analyze(volume.view(), testing::zero_level, {.max_bytes = bytes});
   } catch (const LimitExceeded& error) {
     return error;
   }

@@ -92,7 +92,7 @@ TEST(Connectivity, LoopsAreFoundAndProvedUnderEach) {
         options.engine = engine;
         options.tighten = engine == Engine::dual ? Tighten::basis : Tighten::none;
         const IsoLevel level{0.5, InsideRule::above, topology};
-        const Analysis analysis = find_loops(view_of(mask), level, options);
+        const Analysis analysis = analyze(view_of(mask), level, options);
         EXPECT_EQ(static_cast<std::int64_t>(analysis.loops.size()),
                   2 * oracle::count_betti(mask, adjacency).b1);
       }

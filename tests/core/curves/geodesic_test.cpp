@@ -102,7 +102,7 @@ void for_each_curve(const Check& check) {
   for (std::uint32_t seed = 0; seed < 30; ++seed)
     volumes.push_back(testing::white_noise({7, 6, 7}, seed));
   for (const testing::SmallVolume& volume : volumes) {
-    const Analysis analysis = find_loops(volume.view(), testing::zero_level);
+    const Analysis analysis = analyze(volume.view(), testing::zero_level);
     const TriangleFans fans(analysis.surface);
     for (const Loop& loop : analysis.loops)
       for (const Curve& curve : loop.curves) check(analysis.surface, fans, curve);

@@ -42,7 +42,7 @@ SmallVolume rod_between_plates() {
 struct Features {
   explicit Features(const SmallVolume& volume, double ratio = FeatureOptions{}.ratio,
                     const Vec3& spacing = {1.0, 1.0, 1.0})
-      : analysis(find_loops(GridView<double>{volume.values, volume.dims, spacing}, zero_level)),
+      : analysis(analyze(GridView<double>{volume.values, volume.dims, spacing}, zero_level)),
         all(features_of(analysis.surface, analysis.loops, {.ratio = ratio})) {}
 
   const Loop& loop(LoopKind kind) const { return analysis.loops[place(kind)]; }

@@ -25,9 +25,9 @@ TEST(PairLoops, AreProvedUnderEveryRefinement) {
        {Refinement::none, Refinement::first, Refinement::second, Refinement::both})
     for (std::uint32_t seed = 0; seed < 20; ++seed) {
       const testing::SmallVolume volume = testing::white_noise({8, 8, 8}, seed);
-      // find_loops() throws unless every loop is certified.
+      // analyze() throws unless every loop is certified.
       const Analysis analysis =
-          find_loops(volume.view(), testing::zero_level, pair_options(refinement));
+          analyze(volume.view(), testing::zero_level, pair_options(refinement));
       const auto genus = static_cast<std::size_t>(analysis.surface.genus());
       EXPECT_EQ(analysis.loops.size(), 2 * genus);
       EXPECT_EQ(analysis.pairs.size(), 2 * genus);
@@ -37,7 +37,7 @@ TEST(PairLoops, AreProvedUnderEveryRefinement) {
 TEST(PairLoops, AreNumberedBySizeWithinTheirKind) {
   const testing::SmallVolume volume = testing::smooth_noise({14, 14, 14}, 5, 1);
   const Analysis analysis =
-      find_loops(volume.view(), testing::zero_level, pair_options(Refinement::first));
+      analyze(volume.view(), testing::zero_level, pair_options(Refinement::first));
   const std::size_t genus = analysis.loops.size() / 2;
   ASSERT_GT(genus, 2U);
   for (std::size_t i = 0; i < analysis.loops.size(); ++i) {
@@ -53,7 +53,7 @@ TEST(PairLoops, AreNumberedBySizeWithinTheirKind) {
 TEST(PairLoops, OfATorusGoRoundTheTubeAndRoundTheHole) {
   const testing::SmallVolume volume = testing::torus({24, 24, 24});
   const Analysis analysis =
-      find_loops(volume.view(), testing::zero_level, pair_options(Refinement::both));
+      analyze(volume.view(), testing::zero_level, pair_options(Refinement::both));
   ASSERT_EQ(analysis.loops.size(), 2U);
   // The tube is about 2 pi 2.9 = 18 round, the hole 2 pi 3.8 = 24. Killed cycles are not tight.
   EXPECT_GT(analysis.loops[0].length, 17.0);
@@ -64,9 +64,8 @@ TEST(PairLoops, OfATorusGoRoundTheTubeAndRoundTheHole) {
 
 TEST(PairLoops, HaveTheSizesOfTheOtherEngine) {
   const testing::SmallVolume volume = testing::smooth_noise({14, 14, 14}, 6, 1);
-  const Analysis dual = find_loops(volume.view(), testing::zero_level);
-  const Analysis pair =
-      find_loops(volume.view(), testing::zero_level, pair_options(Refinement::both));
+  const Analysis dual = analyze(volume.view(), testing::zero_level);
+  const Analysis pair = analyze(volume.view(), testing::zero_level, pair_options(Refinement::both));
   ASSERT_EQ(dual.loops.size(), pair.loops.size());
   for (std::size_t i = 0; i < dual.loops.size(); ++i)
     EXPECT_EQ(dual.loops[i].size, pair.loops[i].size);
@@ -77,7 +76,7 @@ TEST(PairLoops, HaveTheSizesOfTheOtherEngine) {
 double total_length(const testing::SmallVolume& volume, LoopKind kind, Refinement refinement) {
   double sum = 0.0;
   for (const Loop& loop :
-       find_loops(volume.view(), testing::zero_level, pair_options(refinement)).loops)
+       analyze(volume.view(), testing::zero_level, pair_options(refinement)).loops)
     sum += loop.kind == kind ? loop.length : 0.0;
   return sum;
 }
@@ -113,7 +112,7 @@ TEST(PairLoops, OfTheseVolumesAreNoLongerWithBothRefinementsThanWithNone) {
 TEST(PairLoops, OfASphereAreNone) {
   const testing::SmallVolume volume = testing::from_bits({1, 1, 1}, 1);
   const Analysis analysis =
-      find_loops(volume.view(), testing::zero_level, pair_options(Refinement::both));
+      analyze(volume.view(), testing::zero_level, pair_options(Refinement::both));
   EXPECT_TRUE(analysis.loops.empty());
   EXPECT_TRUE(analysis.pairs.empty());
 }

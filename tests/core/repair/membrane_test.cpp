@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/analysis/analysis.h"
+#include "core/analysis/workings.h"
 #include "core/repair/loop_remover.h"
 #include "tests/samples/core_fixture.h"
 

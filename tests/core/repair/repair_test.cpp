@@ -63,7 +63,7 @@ TEST(Repair, WorksWhereVoxelsAreABillionTimesThinnerThanWide) {
 TEST(Repair, RemovesEachLoopOfRandomVolumesAndNoOther) {
   for (std::uint32_t seed = 0; seed < 3; ++seed) {
     const SmallVolume volume = testing::smooth_noise({16, 14, 12}, seed, 2);
-    const Analysis before = find_loops(volume.view(), zero_level);
+    const Analysis before = analyze(volume.view(), zero_level);
     for (const Loop& loop : before.loops) {
       SCOPED_TRACE("seed " + std::to_string(seed) + " " + name_of(loop.kind) + " " +
                    std::to_string(loop.id));

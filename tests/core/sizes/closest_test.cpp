@@ -14,7 +14,7 @@ namespace {
 double worst_excess(const testing::SmallVolume& volume, const Vec3& spacing) {
   GridView<double> view = volume.view();
   view.spacing = spacing;
-  const Sides sides = classify(view, testing::zero_level);
+  const VoxelSides sides = classify(view, testing::zero_level);
   const EdgeIndex edges(sides);
   const Surface surface = extract_surface(view, testing::zero_level, sides, edges);
   const auto closest = closest_surface_vertices(sides, edges, surface);

@@ -10,7 +10,7 @@
 #include <tbb/parallel_for.h>
 
 #include "core/analysis/analysis.h"
-#include "core/cube/sides.h"
+#include "core/cube/voxel_sides.h"
 #include "tests/oracles/explicit_complex.h"
 #include "tests/oracles/slow_reduction.h"
 #include "tests/samples/core_fixture.h"
@@ -27,7 +27,7 @@ std::array<std::int64_t, 3> counted(const SmallVolume& volume) {
 }
 
 std::array<std::int64_t, 3> by_ranks(const SmallVolume& volume) {
-  const Sides sides = classify(volume.view(), zero_level);
+  const VoxelSides sides = classify(volume.view(), zero_level);
   if (sides.empty()) return {0, 0, 0};
   return oracle::betti_inside(
       oracle::build_complex(volume.values, volume.dims, sides.lattice, testing::walls_of(sides)));

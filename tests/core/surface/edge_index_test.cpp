@@ -13,7 +13,7 @@ namespace {
 TEST(EdgeIndex, NumbersEachCutEdgeOnceAndEachRowOfThemInOrder) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     const testing::SmallVolume volume = testing::white_noise({19, 15, 17}, seed);
-    const Sides sides = classify(volume.view(), testing::zero_level);
+    const VoxelSides sides = classify(volume.view(), testing::zero_level);
     const EdgeIndex edges(sides);
     std::vector<bool> taken(edges.count());
     for (std::uint32_t v = 0; v < sides.lattice.vertex_count(); ++v) {

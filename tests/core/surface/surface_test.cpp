@@ -25,7 +25,7 @@ using testing::SmallVolume;
 using testing::zero_level;
 
 struct Cut {
-  Sides sides;
+  VoxelSides sides;
   EdgeIndex edges;
   Surface surface;
 };
@@ -33,7 +33,7 @@ struct Cut {
 Cut cut_volume(const SmallVolume& volume, const Vec3& spacing = {1, 1, 1}) {
   GridView<double> view = volume.view();
   view.spacing = spacing;
-  Sides sides = classify(view, zero_level);
+  VoxelSides sides = classify(view, zero_level);
   EdgeIndex edges(sides);
   Surface surface = extract_surface(view, zero_level, sides, edges);
   return {std::move(sides), std::move(edges), std::move(surface)};
@@ -159,7 +159,7 @@ TEST(Surface, VerticesFarOutKeepOffTheVoxelsInSinglePrecision) {
                                                             : (x + n) % 3 == 1 ? 1e9F
                                                                                : -1e-9F;
     const GridView<float> grid{values, dims};
-    const Sides sides = classify(grid, IsoLevel{0.0, InsideRule::above});
+    const VoxelSides sides = classify(grid, IsoLevel{0.0, InsideRule::above});
     const EdgeIndex edges(sides);
     const Surface surface = extract_surface(grid, IsoLevel{0.0, InsideRule::above}, sides, edges);
     ASSERT_FALSE(surface.points.empty());

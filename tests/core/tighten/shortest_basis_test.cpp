@@ -37,8 +37,8 @@ TEST(ShortestBasis, NeverGetsLongerHoweverSmallTheEffort) {
       loops.shorten({effort, 0.0});
       EXPECT_LE(testing::total_length(loops.handles), handles);
       EXPECT_LE(testing::total_length(loops.tunnels), tunnels);
-      std::vector<Loop> all = loops.all_loops();
-      EXPECT_NO_THROW(certify(loops.prepared.surface, loops.classes, all));
+      const std::vector<Loop> all = loops.all_loops();
+      EXPECT_NO_THROW(certified(loops.prepared.surface, loops.classes, all));
       if (least == 0.0) least = testing::total_length(all);
       EXPECT_LE(loops.handle_bound + loops.tunnel_bound, least) << effort;
     }
@@ -77,8 +77,8 @@ TEST(ShortestBasis, KeepsLoopsOfSeveralCurves) {
   WithLoops loops(testing::torus_shell({32, 32, 32}));
   const double before = testing::total_length(loops.handles);
   loops.shorten();
-  std::vector<Loop> all = loops.all_loops();
-  EXPECT_NO_THROW(certify(loops.prepared.surface, loops.classes, all));
+  const std::vector<Loop> all = loops.all_loops();
+  EXPECT_NO_THROW(certified(loops.prepared.surface, loops.classes, all));
   for (const Loop& loop : loops.handles) EXPECT_EQ(loop.curves.size(), 2U);
   EXPECT_LE(testing::total_length(loops.handles), before);
 }

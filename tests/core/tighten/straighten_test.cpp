@@ -15,7 +15,7 @@ namespace {
 Analysis loops_of(const testing::SmallVolume& volume, Tighten tighten) {
   AnalysisOptions options;
   options.tighten = tighten;
-  return find_loops(volume.view(), testing::zero_level, options);
+  return analyze(volume.view(), testing::zero_level, options);
 }
 
 TEST(Straighten, KeepsTheClassOfEveryLoopOnHundredsOfVolumes) {
@@ -23,7 +23,7 @@ TEST(Straighten, KeepsTheClassOfEveryLoopOnHundredsOfVolumes) {
   for (std::uint32_t seed = 0; seed < 400; ++seed) {
     const testing::SmallVolume volume = seed % 2 == 0 ? testing::white_noise({5, 6, 5}, seed)
                                                       : testing::smooth_noise({10, 9, 11}, seed, 1);
-    // straighten_loops() throws where a geodesic leaves the class of its curve.
+    // straightened() throws where a geodesic leaves the class of its curve.
     const Analysis analysis = loops_of(volume, Tighten::curve);
     for (const Loop& loop : analysis.loops) {
       ASSERT_EQ(loop.geodesics.size(), loop.curves.size());

@@ -249,7 +249,7 @@ void expect_genus(const std::string& name, std::int64_t resolution, std::size_t 
   const Mesh mesh = read_mesh(test::data(name));
   const Volume volume = voxelize(mesh, {.resolution = resolution}, {}, name);
   EXPECT_TRUE(volume.warnings.empty()) << name;
-  const Analysis analysis = find_loops(view(volume), {0.0, InsideRule::below});
+  const Analysis analysis = analyze(view(volume), {0.0, InsideRule::below});
   std::size_t handles = 0;
   for (const Loop& loop : analysis.loops) handles += loop.kind == LoopKind::handle ? 1 : 0;
   EXPECT_EQ(handles, genus) << name;

@@ -15,7 +15,7 @@ namespace isoloop {
 /// The box that K fills: the bounding box of the inside voxels and one layer of outside vertices
 /// around it, which an open boundary clips to the grid. Beyond it each side is one cell. Empty (all
 /// dims 0) where no voxel is inside.
-struct Sides {
+struct VoxelSides {
   /// A cube within which a tunnel of M joins two cells of the hub's side (see TunnelCut).
   struct Tunnel {
     std::uint32_t cube;
@@ -50,26 +50,27 @@ struct Sides {
 /// voxel is NaN, InvalidArgument for an empty grid, a NaN iso, and one voxel along an axis with an
 /// open boundary, LimitExceeded over max_lattice_vertices or where the box takes more than
 /// `max_bytes`.
-Sides classify(const AnyGridView& grid, const IsoLevel& level, Boundary boundary = Boundary::closed,
-               std::uint64_t max_bytes = unlimited_bytes);
+VoxelSides classify(const AnyGridView& grid, const IsoLevel& level,
+                    Boundary boundary = Boundary::closed,
+                    std::uint64_t max_bytes = unlimited_bytes);
 
 /// Corner bits of the cube with lowest corner `vertex`, as cube_cut() wants them.
-std::uint8_t inside_corners(const Sides& sides, std::uint32_t vertex);
+std::uint8_t inside_corners(const VoxelSides& sides, std::uint32_t vertex);
 
 /// Joined bits of its six faces, as cube_cut() wants them.
-std::uint8_t joined_faces(const Sides& sides, std::uint32_t vertex);
+std::uint8_t joined_faces(const VoxelSides& sides, std::uint32_t vertex);
 
 /// How M cuts the cube with lowest corner `vertex`.
-const CubeCut& cut_at(const Sides& sides, std::uint32_t vertex);
+const CubeCut& cut_at(const VoxelSides& sides, std::uint32_t vertex);
 
 /// The same for a cube with a tunnel, one of sides.tunnels.
-const TunnelCut& cut_at(const Sides& sides, const Sides::Tunnel& tunnel);
+const TunnelCut& cut_at(const VoxelSides& sides, const VoxelSides::Tunnel& tunnel);
 
 /// The number of the cube's tunnel in sides.tunnels; their number if it has none.
-std::size_t tunnel_in(const Sides& sides, std::uint32_t vertex);
+std::size_t tunnel_in(const VoxelSides& sides, std::uint32_t vertex);
 
 /// The side whose cells the tunnel joins.
-inline Side joined_side(const Sides& sides, const Sides::Tunnel& tunnel) {
+inline Side joined_side(const VoxelSides& sides, const VoxelSides::Tunnel& tunnel) {
   return (inside_corners(sides, tunnel.cube) >> tunnel.hub & 1) != 0 ? Side::inside : Side::outside;
 }
 

@@ -9,7 +9,7 @@ namespace isoloop {
 
 /// At most N items, in place.
 template <class T, std::size_t N>
-struct ShortList {
+struct InplaceVector {
   std::array<T, N> items{};
   std::uint32_t count = 0;
 

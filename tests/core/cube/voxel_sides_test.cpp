@@ -1,4 +1,4 @@
-#include "core/cube/sides.h"
+#include "core/cube/voxel_sides.h"
 
 #include <algorithm>
 #include <array>
@@ -23,23 +23,23 @@ GridView<float> view_of(const std::vector<float>& values, const Index3& dims) {
   return {values, dims, {1, 1, 1}};
 }
 
-TEST(Sides, TheIsoValueItselfIsInside) {
+TEST(VoxelSides, TheIsoValueItselfIsInside) {
   const std::vector<float> values{0.5F};
   EXPECT_FALSE(classify(view_of(values, {1, 1, 1}), above_half).empty());
   EXPECT_FALSE(classify(view_of(values, {1, 1, 1}), IsoLevel{0.5, InsideRule::below}).empty());
   EXPECT_TRUE(classify(view_of(values, {1, 1, 1}), IsoLevel{0.51, InsideRule::above}).empty());
 }
 
-TEST(Sides, TheBoxIsTheSolidsBoundingBoxAndOneLayer) {
+TEST(VoxelSides, TheBoxIsTheSolidsBoundingBoxAndOneLayer) {
   std::vector<float> values(10 * 8 * 6, 0.0F);
   values[3 + 10 * (2 + 8 * 5)] = 1.0F;
   values[4 + 10 * (4 + 8 * 5)] = 1.0F;
-  const Sides sides = classify(view_of(values, {10, 8, 6}), above_half);
+  const VoxelSides sides = classify(view_of(values, {10, 8, 6}), above_half);
   EXPECT_EQ(sides.lattice.first, (Index3{2, 1, 4}));
   EXPECT_EQ(sides.lattice.dims, (std::array<std::uint32_t, 3>{4, 5, 3}));
 }
 
-TEST(Sides, NaNIsRefusedWithItsPlace) {
+TEST(VoxelSides, NaNIsRefusedWithItsPlace) {
   std::vector<float> values(4 * 3 * 2, 1.0F);
   values[1 + 4 * (2 + 3 * 1)] = std::numeric_limits<float>::quiet_NaN();
   try {
@@ -51,10 +51,10 @@ TEST(Sides, NaNIsRefusedWithItsPlace) {
   }
 }
 
-TEST(Sides, BetweenTwoIsoValuesIsInside) {
+TEST(VoxelSides, BetweenTwoIsoValuesIsInside) {
   const std::vector<float> values{0, 1, 2, 3, 4};
   const IsoLevel band{1.0, InsideRule::above, Topology::trilinear, 3.0};
-  const Sides sides = classify(view_of(values, {5, 1, 1}), band);
+  const VoxelSides sides = classify(view_of(values, {5, 1, 1}), band);
   EXPECT_EQ(sides.lattice.first[0], 0);
   EXPECT_EQ(sides.lattice.dims[0], 5U);
   const IsoLevel empty{1.0, InsideRule::above, Topology::trilinear, 0.5};
@@ -63,7 +63,7 @@ TEST(Sides, BetweenTwoIsoValuesIsInside) {
   EXPECT_THROW(classify(view_of(values, {5, 1, 1}), below), InvalidArgument);
 }
 
-TEST(Sides, ASpacingThatSinglePrecisionCannotHoldIsRefused) {
+TEST(VoxelSides, ASpacingThatSinglePrecisionCannotHoldIsRefused) {
   const std::vector<float> values{1};
   for (const double length : {0.0, -1.0, 1e-45, 1e38, std::nan("")})
     EXPECT_THROW(classify(GridView<float>{values, {1, 1, 1}, {1, length, 1}}, above_half),
@@ -73,7 +73,7 @@ TEST(Sides, ASpacingThatSinglePrecisionCannotHoldIsRefused) {
     EXPECT_NO_THROW(classify(GridView<float>{values, {1, 1, 1}, {1, length, 1}}, above_half));
 }
 
-TEST(Sides, ASolidTooFarOutForSinglePrecisionIsRefused) {
+TEST(VoxelSides, ASolidTooFarOutForSinglePrecisionIsRefused) {
   std::vector<std::uint8_t> values((std::size_t{1} << 20) + 2);
   values[values.size() - 3] = 1;
   const auto dims = Index3{static_cast<std::int64_t>(values.size()), 1, 1};
@@ -82,14 +82,14 @@ TEST(Sides, ASolidTooFarOutForSinglePrecisionIsRefused) {
   EXPECT_NO_THROW(classify(GridView<std::uint8_t>{values, dims}, above_half));
 }
 
-TEST(Sides, InfiniteValuesAreVeryLargeOnes) {
+TEST(VoxelSides, InfiniteValuesAreVeryLargeOnes) {
   const float inf = std::numeric_limits<float>::infinity();
   const std::vector<float> values{inf, -inf, -inf, inf};
-  const Sides sides = classify(view_of(values, {2, 2, 1}), above_half);
+  const VoxelSides sides = classify(view_of(values, {2, 2, 1}), above_half);
   EXPECT_EQ(sides.lattice.dims, (std::array<std::uint32_t, 3>{4, 4, 3}));
 }
 
-TEST(Sides, ADimensionThatDoesNotFitIsRefused) {
+TEST(VoxelSides, ADimensionThatDoesNotFitIsRefused) {
   const std::vector<float> values(7, 1.0F);
   EXPECT_THROW(classify(view_of(values, {2, 2, 2}), above_half), InvalidArgument);
   EXPECT_THROW(classify(view_of(values, {7, 1, 1}), IsoLevel{std::nan("")}), InvalidArgument);
@@ -123,7 +123,7 @@ struct Decision {
   auto operator<=>(const Decision&) const = default;
 };
 
-std::set<Decision> decisions(const Sides& sides) {
+std::set<Decision> decisions(const VoxelSides& sides) {
   std::set<Decision> found;
   const auto add = [&](Decision::What what, std::uint32_t vertex, const Index3& half) {
     const auto p = sides.lattice.position(vertex);
@@ -136,18 +136,18 @@ std::set<Decision> decisions(const Sides& sides) {
     for (int a = 0; a < 3; ++a) {
       Index3 half{1, 1, 1};
       half[a] = 0;
-      if ((sides.cubes[v] >> a & Sides::lower_face_joined) != 0)
+      if ((sides.cubes[v] >> a & VoxelSides::lower_face_joined) != 0)
         add(Decision::joined_face, v, half);
     }
   }
-  for (const Sides::Tunnel& tunnel : sides.tunnels)
+  for (const VoxelSides::Tunnel& tunnel : sides.tunnels)
     add(joined_side(sides, tunnel) == Side::inside ? Decision::tunnel_of_inside
                                                    : Decision::tunnel_of_outside,
         tunnel.cube, {1, 1, 1});
   return found;
 }
 
-TEST(Sides, TiesAreDecidedAlikeUnderEverySymmetry) {
+TEST(VoxelSides, TiesAreDecidedAlikeUnderEverySymmetry) {
   constexpr IsoLevel zero{0.0, InsideRule::above};
   std::array<std::size_t, 4> seen{};  // by Decision::What
   for (std::uint32_t seed = 0; seed < 1000; ++seed) {
@@ -176,27 +176,27 @@ TEST(Sides, TiesAreDecidedAlikeUnderEverySymmetry) {
   for (const std::size_t count : seen) EXPECT_GT(count, 40U);
 }
 
-TEST(Sides, OppositeValuesUnderTheOppositeRuleAreDecidedAlike) {
+TEST(VoxelSides, OppositeValuesUnderTheOppositeRuleAreDecidedAlike) {
   for (std::uint32_t seed = 0; seed < 1000; ++seed) {
     testing::SmallVolume volume = with_ties(seed);
-    const Sides above = classify(volume.view(), IsoLevel{0.0, InsideRule::above});
+    const VoxelSides above = classify(volume.view(), IsoLevel{0.0, InsideRule::above});
     for (double& value : volume.values) value = -value;
-    const Sides below = classify(volume.view(), IsoLevel{0.0, InsideRule::below});
+    const VoxelSides below = classify(volume.view(), IsoLevel{0.0, InsideRule::below});
     EXPECT_EQ(above.inside, below.inside);
     EXPECT_EQ(above.cubes, below.cubes);
     EXPECT_EQ(above.tunnels, below.tunnels);
   }
 }
 
-TEST(Sides, TheOppositeRuleSwapsTheSidesWhereNothingIsTied) {
+TEST(VoxelSides, TheOppositeRuleSwapsTheSidesWhereNothingIsTied) {
   std::size_t tunnels = 0;
   for (std::uint32_t seed = 0; seed < 200; ++seed) {
     const testing::SmallVolume volume = testing::white_noise({6, 6, 6}, seed);
     const auto decided = [&](InsideRule rule) {
       return classify(volume.view(), IsoLevel{0.0, rule}, Boundary::open);
     };
-    const Sides above = decided(InsideRule::above);
-    const Sides below = decided(InsideRule::below);
+    const VoxelSides above = decided(InsideRule::above);
+    const VoxelSides below = decided(InsideRule::below);
     ASSERT_EQ(above.lattice.dims, below.lattice.dims);
     ASSERT_EQ(above.tunnels.size(), below.tunnels.size());
     for (std::size_t t = 0; t < above.tunnels.size(); ++t) {

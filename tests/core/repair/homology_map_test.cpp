@@ -1,4 +1,4 @@
-#include "core/repair/class_passage.h"
+#include "core/repair/homology_map.h"
 
 #include <cstddef>
 #include <vector>
@@ -22,8 +22,8 @@ GeneratorSet class_of_loop(const Workings& workings, std::size_t loop) {
 }
 
 /// A volume before and after the removal of one of its loops.
-struct Passage {
-  Passage(const SmallVolume& volume, std::size_t loop)
+struct Change {
+  Change(const SmallVolume& volume, std::size_t loop)
       : values(volume.view()), before(work_out_loops(values.view(), zero_level)) {
     LoopRemover remover(before, zero_level, values);
     const auto change = remover.propose(site_of(before, before.analysis.loops[loop]));
@@ -38,7 +38,7 @@ struct Passage {
     after = work_out_loops(values.view(), zero_level);
   }
 
-  ClassPassage without(const std::vector<GeneratorSet>& removed) const {
+  HomologyMap without(const std::vector<GeneratorSet>& removed) const {
     return {before, after, changed, removed};
   }
 
@@ -48,44 +48,44 @@ struct Passage {
   std::vector<bool> changed;
 };
 
-TEST(ClassPassage, LeavesAllButTheRemovedLoop) {
+TEST(HomologyMap, LeavesAllButTheRemovedLoop) {
   const SmallVolume volume = testing::smooth_noise({14, 13, 12}, 3, 2);
-  const std::size_t count = find_loops(volume.view(), zero_level).loops.size();
+  const std::size_t count = analyze(volume.view(), zero_level).loops.size();
   ASSERT_GE(count, 6U);
   for (std::size_t loop = 0; loop < count; ++loop) {
-    const Passage passage(volume, loop);
-    const GeneratorSet removed = class_of_loop(passage.before, loop);
-    const ClassPassage classes = passage.without({removed});
+    const Change change(volume, loop);
+    const GeneratorSet removed = class_of_loop(change.before, loop);
+    const HomologyMap classes = change.without({removed});
     EXPECT_EQ(classes.check().value_or(""), "") << loop;
     EXPECT_EQ(classes.image(removed), GeneratorSet{}) << loop;
     // Loops of the kind removed pass over, all but that one to classes of their own.
     for (std::size_t other = 0; other < count; ++other) {
       if ((other < count / 2) != (loop < count / 2) || other == loop) continue;
-      const auto image = classes.image(class_of_loop(passage.before, other));
+      const auto image = classes.image(class_of_loop(change.before, other));
       ASSERT_TRUE(image) << loop << ' ' << other;
       EXPECT_FALSE(image->empty()) << loop << ' ' << other;
     }
   }
 }
 
-TEST(ClassPassage, TellsWhenAnotherLoopIsGone) {
+TEST(HomologyMap, TellsWhenAnotherLoopIsGone) {
   const SmallVolume volume = testing::smooth_noise({14, 13, 12}, 3, 2);
-  const Passage passage(volume, 0);
-  EXPECT_TRUE(passage.without({class_of_loop(passage.before, 1)}).check());
-  EXPECT_TRUE(passage.without({}).check());
-  EXPECT_TRUE(passage.without({class_of_loop(passage.before, 0), class_of_loop(passage.before, 1)})
-                  .check());
+  const Change change(volume, 0);
+  EXPECT_TRUE(change.without({class_of_loop(change.before, 1)}).check());
+  EXPECT_TRUE(change.without({}).check());
+  EXPECT_TRUE(
+      change.without({class_of_loop(change.before, 0), class_of_loop(change.before, 1)}).check());
 }
 
-TEST(ClassPassage, HasNothingToSayWithoutAChange) {
+TEST(HomologyMap, HasNothingToSayWithoutAChange) {
   const SmallVolume volume = testing::linked_tori({30, 20, 20});
   const Workings before = work_out_loops(volume.view(), zero_level);
   const Workings after = work_out_loops(volume.view(), zero_level);
   const std::vector<bool> changed(before.sides->lattice.vertex_count());
-  const ClassPassage passage(before, after, changed, {});
-  EXPECT_EQ(passage.check().value_or(""), "");
+  const HomologyMap map(before, after, changed, {});
+  EXPECT_EQ(map.check().value_or(""), "");
   for (std::size_t loop = 0; loop < before.analysis.loops.size(); ++loop)
-    EXPECT_EQ(passage.image(class_of_loop(before, loop)), class_of_loop(after, loop));
+    EXPECT_EQ(map.image(class_of_loop(before, loop)), class_of_loop(after, loop));
 }
 
 }  // namespace

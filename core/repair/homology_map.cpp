@@ -1,7 +1,5 @@
-#include "core/repair/class_passage.h"
+#include "core/repair/homology_map.h"
 
-#include <algorithm>
-#include <array>
 #include <set>
 #include <utility>
 
@@ -13,10 +11,7 @@ namespace {
 /// Finds, for vertices of one surface, those of another one that lie at the same places.
 class SameVertices {
  public:
-  SameVertices(const Workings& from, const Workings& to) : from_(from), to_(to) {
-    for (std::size_t a = 0; a < 3; ++a)
-      shift_[a] = from.sides->lattice.first[a] - to.sides->lattice.first[a];
-  }
+  SameVertices(const Workings& from, const Workings& to) : from_(from), to_(to) {}
 
   std::uint32_t of(std::uint32_t vertex) const {
     const std::uint32_t on_edges = from_.edges->count();
@@ -32,14 +27,11 @@ class SameVertices {
 
  private:
   std::uint32_t moved(std::uint32_t lattice_vertex) const {
-    const auto p = from_.sides->lattice.position(lattice_vertex);
-    const auto along = [&](std::size_t a) { return static_cast<std::uint32_t>(p[a] + shift_[a]); };
-    return to_.sides->lattice.vertex(along(0), along(1), along(2));
+    return *to_.sides->lattice.vertex_at(from_.sides->lattice.voxel_at(lattice_vertex));
   }
 
   const Workings& from_;
   const Workings& to_;
-  Index3 shift_{};
 };
 
 /// The classes of a walk before and after, as numbers in the pools of a SumOfClasses.
@@ -68,11 +60,8 @@ std::set<WalkClasses> common_walks(WalkForest& forest, const Workings& before,
   const Lattice& lattice = before.sides->lattice;
   const SameVertices same(before, after);
   const auto is_common = [&](std::uint32_t cube) {
-    for (unsigned c = 0; c < 8; ++c) {
-      std::uint32_t corner = cube;
-      for (unsigned a = 0; a < 3; ++a) corner += (c >> a & 1U) * lattice.stride[a];
-      if (changed[corner]) return false;
-    }
+    for (unsigned c = 0; c < 8; ++c)
+      if (changed[lattice.corner(cube, c)]) return false;
     return true;
   };
   const auto step_after = [&](std::uint32_t a, std::uint32_t b) {
@@ -101,8 +90,8 @@ GeneratorSet set_of(const LabelPool& pool, std::uint32_t label) {
 
 }  // namespace
 
-ClassPassage::ClassPassage(const Workings& before, const Workings& after,
-                           const std::vector<bool>& changed, std::span<const GeneratorSet> removed)
+HomologyMap::HomologyMap(const Workings& before, const Workings& after,
+                         const std::vector<bool>& changed, std::span<const GeneratorSet> removed)
     : before_inside_(before.classes.inside_rank),
       before_rank_(before.classes.inside_rank + before.classes.outside_rank),
       after_inside_(after.classes.inside_rank),
@@ -111,85 +100,63 @@ ClassPassage::ClassPassage(const Workings& before, const Workings& after,
   WalkForest forest(SumOfClasses{before.classes.pool, after.classes.pool});
   for (std::size_t v = 0; v < before.analysis.surface.points.size(); ++v) forest.add();
   const auto walks = common_walks(forest, before, after, changed);
-  for (const GeneratorSet& cycle : removed) add(rows_, {cycle, {}});
+  for (const GeneratorSet& cycle : removed) add({cycle, {}});
   for (const WalkClasses& walk : walks)
-    add(rows_, {set_of(forest.sum.before, walk.before), set_of(forest.sum.after, walk.after)});
+    add({set_of(forest.sum.before, walk.before), set_of(forest.sum.after, walk.after)});
 }
 
-void ClassPassage::reduce(const Rows& rows, Row& row) {
-  for (std::size_t i = 0; i < row.before.size();) {
-    const auto pivot = rows.find(row.before[i]);
-    if (pivot == rows.end()) {
-      ++i;  // elements before it are no pivots
-      continue;
-    }
-    // The pivot is the least element of its row: what lies before position i stays as it is.
-    row.before = sum_of(row.before, pivot->second.before);
-    row.after = sum_of(row.after, pivot->second.after);
+void HomologyMap::add(ClassPair pair) {
+  if (basis_.add(pair.before)) {
+    pairs_.push_back(std::move(pair));
+  } else if (image(pair.before) != pair.after) {
+    is_map_ = false;
   }
 }
 
-void ClassPassage::add(Rows& rows, Row row) {
-  reduce(rows, row);
-  if (row.before.empty()) {
-    is_map_ = is_map_ && row.after.empty();
-    return;
-  }
-  const std::uint32_t pivot = row.before.front();
-  rows.emplace(pivot, std::move(row));
-}
-
-/// Whether classes before without a generator below `border` have none below `border_after`
-/// afterwards; with `turned`, without one from there on.
-bool ClassPassage::keeps_kind(bool turned) const {
-  const auto swapped = [](GeneratorSet set, std::uint32_t border, std::uint32_t rank) {
-    for (std::uint32_t& generator : set)
-      generator = generator < border ? generator + rank - border : generator - border;
-    std::sort(set.begin(), set.end());
-    return set;
+bool HomologyMap::keeps_kind(Side bounding) const {
+  // Of each pair, what tells it from a class that bounds on that side: after the change at its own
+  // number, before it at higher ones. A row of the basis with nothing of the higher ones is the
+  // pair of a class that bounded there.
+  const auto tells = [&](std::uint32_t generator, std::uint32_t inside_rank) {
+    return (generator < inside_rank) == (bounding == Side::inside);
   };
-  Rows rows;
-  for (const auto& [pivot, row] : rows_) {
-    Row other = row;
-    if (turned) {
-      other.before = swapped(row.before, before_inside_, before_rank_);
-      other.after = swapped(row.after, after_inside_, after_rank_);
-    }
-    reduce(rows, other);
-    const std::uint32_t first = other.before.front();
-    rows.emplace(first, std::move(other));
+  Z2Basis basis;
+  for (const ClassPair& pair : pairs_) {
+    GeneratorSet telling;
+    for (const std::uint32_t generator : pair.after)
+      if (tells(generator, after_inside_)) telling.push_back(generator);
+    for (const std::uint32_t generator : pair.before)
+      if (tells(generator, before_inside_)) telling.push_back(after_rank_ + generator);
+    const auto pivot = basis.add(telling);
+    if (pivot && *pivot < after_rank_) return false;
   }
-  const std::uint32_t border = turned ? before_rank_ - before_inside_ : before_inside_;
-  const std::uint32_t border_after = turned ? after_rank_ - after_inside_ : after_inside_;
-  return std::all_of(rows.lower_bound(border), rows.end(), [&](const auto& entry) {
-    const GeneratorSet& after = entry.second.after;
-    return after.empty() || after.front() >= border_after;
-  });
+  return true;
 }
 
-std::optional<std::string> ClassPassage::check() const {
+std::optional<std::string> HomologyMap::check() const {
   if (!is_map_) return "a loop that bounded before no longer does";
   if (after_rank_ + 2 * removed_ != before_rank_)
     return "the genus dropped by " + std::to_string((before_rank_ - after_rank_) / 2) + ", not " +
            std::to_string(removed_);
-  if (rows_.size() + removed_ != before_rank_)
-    return "walks apart from what changed reach " + std::to_string(rows_.size()) +
+  if (pairs_.size() + removed_ != before_rank_)
+    return "walks apart from what changed reach " + std::to_string(pairs_.size()) +
            " independent classes, not " + std::to_string(before_rank_ - removed_);
   Z2Basis reached;
-  for (const auto& [pivot, row] : rows_) reached.add(row.after);
+  for (const ClassPair& pair : pairs_) reached.add(pair.after);
   if (reached.rank() != after_rank_)
     return "of " + std::to_string(after_rank_) + " independent loops only " +
            std::to_string(reached.rank()) + " were there before";
-  if (!keeps_kind(false)) return "a handle loop no longer is one";
-  if (!keeps_kind(true)) return "a tunnel loop no longer is one";
+  if (!keeps_kind(Side::inside)) return "a handle loop no longer is one";
+  if (!keeps_kind(Side::outside)) return "a tunnel loop no longer is one";
   return std::nullopt;
 }
 
-std::optional<GeneratorSet> ClassPassage::image(const GeneratorSet& before) const {
-  Row row{before, {}};
-  reduce(rows_, row);
-  if (!row.before.empty()) return std::nullopt;
-  return row.after;
+std::optional<GeneratorSet> HomologyMap::image(const GeneratorSet& before) const {
+  const auto pairs = basis_.coordinates(before);
+  if (!pairs) return std::nullopt;
+  GeneratorSet after;
+  for (const std::uint32_t k : *pairs) after = sum_of(after, pairs_[k].after);
+  return after;
 }
 
 }  // namespace isoloop

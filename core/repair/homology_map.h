@@ -3,14 +3,14 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "core/analysis/analysis.h"
+#include "core/analysis/workings.h"
 #include "core/z2/label.h"
+#include "core/z2/z2_basis.h"
 
 namespace isoloop {
 
@@ -24,12 +24,12 @@ namespace isoloop {
 /// afterwards, the common walks reach all classes that cross A evenly, and what bounds inside, or
 /// outside, still does. check() asks for all of this. It needs no choice of loops: every class that
 /// A leaves is still there, of the same kind.
-class ClassPassage {
+class HomologyMap {
  public:
   /// `changed`: by vertex of before's lattice. `removed`: a basis of A, as class_of() gives it.
   /// Both boundaries must be closed, and the genus before not 0.
-  ClassPassage(const Workings& before, const Workings& after, const std::vector<bool>& changed,
-               std::span<const GeneratorSet> removed);
+  HomologyMap(const Workings& before, const Workings& after, const std::vector<bool>& changed,
+              std::span<const GeneratorSet> removed);
 
   /// Nothing if all that A leaves is still there and no more; else what is wrong.
   std::optional<std::string> check() const;
@@ -39,23 +39,24 @@ class ClassPassage {
   std::optional<GeneratorSet> image(const GeneratorSet& before) const;
 
  private:
-  struct Row {
+  struct ClassPair {  // of one walk
     GeneratorSet before;
     GeneratorSet after;
   };
-  using Rows = std::map<std::uint32_t, Row>;  // by pivot: the least element of `before`
 
-  static void reduce(const Rows& rows, Row& row);
-  void add(Rows& rows, Row row);
-  bool keeps_kind(bool turned) const;
+  void add(ClassPair pair);
+
+  /// Whether the classes that bounded on that side do so afterwards.
+  bool keeps_kind(Side bounding) const;
 
   std::uint32_t before_inside_ = 0;
   std::uint32_t before_rank_ = 0;
   std::uint32_t after_inside_ = 0;
   std::uint32_t after_rank_ = 0;
   std::size_t removed_ = 0;
-  bool is_map_ = true;  // equal classes before have equal classes after
-  Rows rows_;           // pairs of classes of common walks, and A with 0
+  bool is_map_ = true;            // equal classes before have equal classes after
+  std::vector<ClassPair> pairs_;  // of common walks, and A with 0, independent before
+  Z2Basis basis_;                 // of the classes before
 };
 
 }  // namespace isoloop

@@ -1,4 +1,4 @@
-#include "core/base/rows.h"
+#include "core/base/compressed_rows.h"
 
 #include <cstdint>
 #include <set>
@@ -12,7 +12,7 @@
 namespace isoloop {
 namespace {
 
-TEST(Rows, HoldEachValueOnceInItsRowAscendingWhateverTheThreads) {
+TEST(CompressedRows, HoldEachValueOnceInItsRowAscendingWhateverTheThreads) {
   constexpr std::uint32_t rows = 40;
   constexpr std::uint32_t values = 50'000;
   const auto row_of = [](std::uint32_t i) { return i * i % 39; };  // none in the last
@@ -20,7 +20,7 @@ TEST(Rows, HoldEachValueOnceInItsRowAscendingWhateverTheThreads) {
   std::vector<std::set<std::uint32_t>> expected(rows);
   for (std::uint32_t i = 0; i < values; ++i) expected[row_of(i)].insert(value_of(i));
   RowCollector collector(rows);
-  const Rows found = with_threads(8, [&] {
+  const CompressedRows found = with_threads(8, [&] {
     tbb::parallel_for(0U, values, [&](std::uint32_t i) { collector.count(row_of(i)); });
     collector.end_of_counting();
     tbb::parallel_for(0U, values, [&](std::uint32_t i) { collector.add(row_of(i), value_of(i)); });

@@ -9,7 +9,7 @@
 namespace isoloop {
 
 /// Row r: values[first[r]] .. values[first[r+1]-1].
-struct Rows {
+struct CompressedRows {
   std::vector<std::uint32_t> first;  // size: rows + 1
   UnsetVector<std::uint32_t> values;
 };
@@ -22,7 +22,7 @@ class RowCollector {
   void count(std::uint32_t row);
   void end_of_counting();
   void add(std::uint32_t row, std::uint32_t value);
-  Rows take();  // sorts each row and drops repetitions; the collector is spent
+  CompressedRows take();  // sorts each row and drops repetitions; the collector is spent
 
  private:
   std::vector<std::uint32_t> first_;   // while counting: at row + 1, the values of the row

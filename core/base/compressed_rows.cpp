@@ -1,4 +1,4 @@
-#include "core/base/rows.h"
+#include "core/base/compressed_rows.h"
 
 #include <algorithm>
 #include <atomic>
@@ -24,7 +24,7 @@ void RowCollector::add(std::uint32_t row, std::uint32_t value) {
   values_[std::atomic_ref(cursor_[row]).fetch_add(1, std::memory_order_relaxed)] = value;
 }
 
-Rows RowCollector::take() {
+CompressedRows RowCollector::take() {
   const auto count = static_cast<std::uint32_t>(cursor_.size());
   tbb::parallel_for(std::uint32_t{0}, count, [&](std::uint32_t row) {
     const auto begin = values_.begin() + first_[row];
@@ -32,7 +32,7 @@ Rows RowCollector::take() {
     std::sort(begin, end);
     cursor_[row] = static_cast<std::uint32_t>(std::unique(begin, end) - begin);
   });
-  Rows rows;
+  CompressedRows rows;
   rows.first.resize(std::size_t{count} + 1);
   std::partial_sum(cursor_.begin(), cursor_.end(), rows.first.begin() + 1);
   rows.values.resize(rows.first.back());

@@ -1,4 +1,4 @@
-#include "core/cube/sides.h"
+#include "core/cube/voxel_sides.h"
 
 #include <algorithm>
 #include <cmath>
@@ -124,7 +124,7 @@ void for_each_layer(const Lattice& lattice, const Body& body) {
 }
 
 template <class T>
-void mark_inside(const GridView<T>& grid, const IsoLevel& level, Sides& sides) {
+void mark_inside(const GridView<T>& grid, const IsoLevel& level, VoxelSides& sides) {
   const Lattice& lattice = sides.lattice;
   const InsideValues inside = inside_values(level);
   const auto in_grid = [&](std::uint32_t i, int axis) {
@@ -177,13 +177,14 @@ FaceBits decide_faces(const GridView<T>& grid, const IsoLevel& level, const Latt
 
 /// A face on the far border of the box is no cube's lower face: the cube before it decides it. It
 /// can be ambiguous only where the boundary is open.
-void mark_far_faces(const FaceBits& faces, const std::array<std::uint32_t, 3>& p, Sides& sides) {
+void mark_far_faces(const FaceBits& faces, const std::array<std::uint32_t, 3>& p,
+                    VoxelSides& sides) {
   const Lattice& lattice = sides.lattice;
   for (int a = 0; a < 3; ++a) {
     const unsigned upper = 2U << (2 * a);
     if (p[a] + 2 != lattice.dims[a] || (faces.ambiguous & upper) == 0) continue;
-    unsigned flags = Sides::has_ambiguous_face;
-    if ((faces.joined & upper) != 0) flags |= unsigned{Sides::lower_face_joined} << a;
+    unsigned flags = VoxelSides::has_ambiguous_face;
+    if ((faces.joined & upper) != 0) flags |= unsigned{VoxelSides::lower_face_joined} << a;
     sides.cubes[lattice.vertex(p[0], p[1], p[2]) + lattice.stride[a]] |=
         static_cast<std::uint8_t>(flags);
   }
@@ -192,17 +193,15 @@ void mark_far_faces(const FaceBits& faces, const std::array<std::uint32_t, 3>& p
 /// The cube's cut without a tunnel has room for one only where all its corners lie in the grid.
 template <class T>
 std::optional<int> find_hub(const GridView<T>& grid, const IsoLevel& level, const Lattice& lattice,
-                            const std::array<std::uint32_t, 3>& p, const CubeCut& cut) {
+                            std::uint32_t cube, const CubeCut& cut) {
   if (level.topology == Topology::simple || cut.hubs.count == 0) return std::nullopt;
-  Index3 lowest{};
-  for (int a = 0; a < 3; ++a) lowest[a] = lattice.first[a] + p[a];
-  return tunnel_hub(cut, corner_levels(grid, level, lowest));
+  return tunnel_hub(cut, corner_levels(grid, level, lattice.voxel_at(cube)));
 }
 
 template <class T>
-void mark_cubes(const GridView<T>& grid, const IsoLevel& level, Sides& sides) {
+void mark_cubes(const GridView<T>& grid, const IsoLevel& level, VoxelSides& sides) {
   const Lattice& lattice = sides.lattice;
-  std::vector<std::vector<Sides::Tunnel>> tunnels(lattice.dims[2]);
+  std::vector<std::vector<VoxelSides::Tunnel>> tunnels(lattice.dims[2]);
   tbb::parallel_for(std::uint32_t{0}, lattice.dims[2] - 1, [&](std::uint32_t z) {
     for (std::uint32_t y = 0; y + 1 < lattice.dims[1]; ++y)
       for (std::uint32_t x = 0; x + 1 < lattice.dims[0]; ++x) {
@@ -210,17 +209,17 @@ void mark_cubes(const GridView<T>& grid, const IsoLevel& level, Sides& sides) {
         const std::uint8_t corners = inside_corners(sides, v);
         if (corners == 0 || corners == 255) continue;
         const FaceBits faces = decide_faces(grid, level, lattice, {x, y, z}, corners);
-        unsigned flags = Sides::is_cut;
+        unsigned flags = VoxelSides::is_cut;
         for (int a = 0; a < 3; ++a)
-          flags |= (faces.joined >> (2 * a) & 1U) * Sides::lower_face_joined << a;
-        if ((faces.ambiguous & 0b010101U) != 0) flags |= Sides::has_ambiguous_face;
+          flags |= (faces.joined >> (2 * a) & 1U) * VoxelSides::lower_face_joined << a;
+        if ((faces.ambiguous & 0b010101U) != 0) flags |= VoxelSides::has_ambiguous_face;
         const auto joined = static_cast<std::uint8_t>(faces.joined);
         const CubeCut& plain = cube_cut(corners, joined, false);
-        const std::optional<int> hub = find_hub(grid, level, lattice, {x, y, z}, plain);
+        const std::optional<int> hub = find_hub(grid, level, lattice, v, plain);
         if (hub) tunnels[z].push_back({v, static_cast<std::uint8_t>(*hub)});
         const CubeCut& cut = hub ? tunnel_cut(corners, joined, false, *hub).cut : plain;
-        if (cut.cell_count[0] > 1) flags |= Sides::many_outside_cells;
-        if (cut.cell_count[1] > 1) flags |= Sides::many_inside_cells;
+        if (cut.cell_count[0] > 1) flags |= VoxelSides::many_outside_cells;
+        if (cut.cell_count[1] > 1) flags |= VoxelSides::many_inside_cells;
         sides.cubes[v] |= static_cast<std::uint8_t>(flags);
         mark_far_faces(faces, {x, y, z}, sides);
       }
@@ -229,7 +228,7 @@ void mark_cubes(const GridView<T>& grid, const IsoLevel& level, Sides& sides) {
     sides.tunnels.insert(sides.tunnels.end(), layer.begin(), layer.end());
 }
 
-void mark_border(Sides& sides) {
+void mark_border(VoxelSides& sides) {
   const Lattice& lattice = sides.lattice;
   const auto is_end = [&](std::uint32_t i, int axis) {
     return i == 0 || i + 1 == lattice.dims[axis];
@@ -239,14 +238,14 @@ void mark_border(Sides& sides) {
       const bool whole_row = is_end(y, 1) || is_end(z, 2);
       const std::uint32_t step = whole_row ? 1 : lattice.dims[0] - 1;
       for (std::uint32_t x = 0; x < lattice.dims[0]; x += step)
-        sides.cubes[lattice.vertex(x, y, z)] |= Sides::on_border;
+        sides.cubes[lattice.vertex(x, y, z)] |= VoxelSides::on_border;
     }
   });
 }
 
 template <class T>
-Sides classify_grid(const GridView<T>& grid, const IsoLevel& level, Boundary boundary,
-                    std::uint64_t max_bytes) {
+VoxelSides classify_grid(const GridView<T>& grid, const IsoLevel& level, Boundary boundary,
+                         std::uint64_t max_bytes) {
   check_grid(grid, level);
   if (boundary == Boundary::open && *std::min_element(grid.dims.begin(), grid.dims.end()) < 2)
     throw InvalidArgument(
@@ -264,7 +263,7 @@ Sides classify_grid(const GridView<T>& grid, const IsoLevel& level, Boundary bou
                         .advice = {Advice::replace_nan}},
                        Fault::not_finite);
   }
-  Sides sides;
+  VoxelSides sides;
   sides.boundary = boundary;
   if (bounds.upper[0] < 0) return sides;
   sides.lattice = lattice_around(bounds, grid.dims, boundary);
@@ -279,13 +278,13 @@ Sides classify_grid(const GridView<T>& grid, const IsoLevel& level, Boundary bou
 
 }  // namespace
 
-Sides classify(const AnyGridView& grid, const IsoLevel& level, Boundary boundary,
-               std::uint64_t max_bytes) {
+VoxelSides classify(const AnyGridView& grid, const IsoLevel& level, Boundary boundary,
+                    std::uint64_t max_bytes) {
   return std::visit(
       [&](const auto& view) { return classify_grid(view, level, boundary, max_bytes); }, grid);
 }
 
-std::uint8_t inside_corners(const Sides& sides, std::uint32_t vertex) {
+std::uint8_t inside_corners(const VoxelSides& sides, std::uint32_t vertex) {
   const std::uint8_t* p = sides.inside.data() + vertex;
   const std::uint32_t dy = sides.lattice.stride[1];
   const std::uint32_t dz = sides.lattice.stride[2];
@@ -293,10 +292,10 @@ std::uint8_t inside_corners(const Sides& sides, std::uint32_t vertex) {
                                    p[dz + 1] << 5 | p[dz + dy] << 6 | p[dz + dy + 1] << 7);
 }
 
-std::uint8_t joined_faces(const Sides& sides, std::uint32_t vertex) {
+std::uint8_t joined_faces(const VoxelSides& sides, std::uint32_t vertex) {
   unsigned joined = 0;
   for (int a = 0; a < 3; ++a) {
-    const unsigned bit = unsigned{Sides::lower_face_joined} << a;
+    const unsigned bit = unsigned{VoxelSides::lower_face_joined} << a;
     if ((sides.cubes[vertex] & bit) != 0) joined |= 1U << (2 * a);
     if ((sides.cubes[vertex + sides.lattice.stride[a]] & bit) != 0) joined |= 2U << (2 * a);
   }
@@ -305,16 +304,14 @@ std::uint8_t joined_faces(const Sides& sides, std::uint32_t vertex) {
 
 namespace {
 
-bool is_odd(const Sides& sides, std::uint32_t vertex) {
-  const auto p = sides.lattice.position(vertex);
-  std::int64_t sum = 0;
-  for (int a = 0; a < 3; ++a) sum += sides.lattice.first[a] + p[a];
-  return (sum & 1) != 0;
+bool is_odd(const VoxelSides& sides, std::uint32_t vertex) {
+  const Index3 voxel = sides.lattice.voxel_at(vertex);
+  return ((voxel[0] + voxel[1] + voxel[2]) & 1) != 0;
 }
 
 }  // namespace
 
-const CubeCut& cut_at(const Sides& sides, std::uint32_t vertex) {
+const CubeCut& cut_at(const VoxelSides& sides, std::uint32_t vertex) {
   const CubeCut& plain =
       cube_cut(inside_corners(sides, vertex), joined_faces(sides, vertex), is_odd(sides, vertex));
   if (plain.hubs.count == 0) return plain;
@@ -322,15 +319,15 @@ const CubeCut& cut_at(const Sides& sides, std::uint32_t vertex) {
   return tunnel == sides.tunnels.size() ? plain : cut_at(sides, sides.tunnels[tunnel]).cut;
 }
 
-const TunnelCut& cut_at(const Sides& sides, const Sides::Tunnel& tunnel) {
+const TunnelCut& cut_at(const VoxelSides& sides, const VoxelSides::Tunnel& tunnel) {
   return tunnel_cut(inside_corners(sides, tunnel.cube), joined_faces(sides, tunnel.cube),
                     is_odd(sides, tunnel.cube), tunnel.hub);
 }
 
-std::size_t tunnel_in(const Sides& sides, std::uint32_t vertex) {
+std::size_t tunnel_in(const VoxelSides& sides, std::uint32_t vertex) {
   const auto at = std::lower_bound(
       sides.tunnels.begin(), sides.tunnels.end(), vertex,
-      [](const Sides::Tunnel& tunnel, std::uint32_t cube) { return tunnel.cube < cube; });
+      [](const VoxelSides::Tunnel& tunnel, std::uint32_t cube) { return tunnel.cube < cube; });
   const bool found = at != sides.tunnels.end() && at->cube == vertex;
   return static_cast<std::size_t>((found ? at : sides.tunnels.end()) - sides.tunnels.begin());
 }

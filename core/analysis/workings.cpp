@@ -1,4 +1,4 @@
-#include "core/analysis/analysis.h"
+#include "core/analysis/workings.h"
 
 #include <algorithm>
 #include <chrono>
@@ -13,7 +13,7 @@
 #include "core/base/threads.h"
 #include "core/complex/grid_complex.h"
 #include "core/complex/grid_sizes.h"
-#include "core/cube/sides.h"
+#include "core/cube/voxel_sides.h"
 #include "core/engines/dual_pass.h"
 #include "core/engines/spanning_forest.h"
 #include "core/loops/certificate.h"
@@ -47,7 +47,7 @@ class StageClock {
 
 /// What depends on the sides of the voxels alone, and M.
 struct Cut {
-  std::unique_ptr<const Sides> sides;
+  std::unique_ptr<const VoxelSides> sides;
   std::unique_ptr<const EdgeIndex> edges;
   Surface surface;
 };
@@ -55,7 +55,8 @@ struct Cut {
 Cut cut_volume(const AnyGridView& grid, const IsoLevel& level, const AnalysisOptions& options,
                bool with_graph) {
   Cut cut;
-  cut.sides = std::make_unique<Sides>(classify(grid, level, options.boundary, options.max_bytes));
+  cut.sides =
+      std::make_unique<VoxelSides>(classify(grid, level, options.boundary, options.max_bytes));
   cut.edges = std::make_unique<EdgeIndex>(*cut.sides);
   const std::uint64_t lattice = cut.sides->lattice.vertex_count();
   check_memory("surface",
@@ -151,54 +152,83 @@ void check_engines_agree(const std::vector<SurfacePair>& pairs, const Workings& 
   }
 }
 
-void find_borders(const Surface& surface, const SurfaceClasses& classes, WorkedSide& side) {
+/// A side with the borders of the surfaces that its labels span, and their classes.
+WorkedSide with_borders(const Surface& surface, const SurfaceClasses& classes, WorkedSide side) {
   side.borders = killing_borders(*side.complex, side.pass);
   const Side seen_from = side_of(kind_on(surface.boundary, side.complex->side()));
   side.border_classes = border_classes(surface, classes, seen_from, side.borders);
+  return side;
 }
 
-SolvedSide solved(const WorkedSide& side) {
-  return {*side.complex, side.pass, side.borders, side.border_classes};
-}
-
-std::uint64_t count_volume_triangles(const Sides& sides, const EdgeIndex& edges) {
+std::uint64_t count_volume_triangles(const VoxelSides& sides, const EdgeIndex& edges) {
   return fan_triangle_count(GridComplex(sides, edges, Side::inside)) +
          fan_triangle_count(GridComplex(sides, edges, Side::outside));
 }
 
-/// The loops of both sides, certified and tightened as the options say.
-std::vector<Loop> proved_loops(const Workings& workings, const AnalysisOptions& options,
-                               std::span<const std::uint32_t> closest, Analysis& analysis) {
-  const Surface& surface = analysis.surface;
-  const SurfaceClasses& classes = workings.classes;
-  const bool open = surface.boundary == Boundary::open;
+SearchedLoops found_on(const Workings& workings, const WorkedSide& side,
+                       std::span<const std::uint32_t> closest) {
+  const std::vector<Curve> starts = starts_near(*side.complex, side.pass.killing, closest);
+  return loops_of_side(
+      workings.analysis.surface, workings.classes,
+      {side.complex->side(), side.pass.killing, starts, side.borders, side.border_classes});
+}
+
+std::vector<Loop> joined(std::vector<Loop> handles, std::vector<Loop> tunnels) {
+  std::move(tunnels.begin(), tunnels.end(), std::back_inserter(handles));
+  return handles;
+}
+
+struct LoopsAsFound {
   std::vector<Loop> loops;
-  if (options.engine == Engine::pair) {
-    loops = loops_of_pairs(surface, analysis.pairs);
-  } else {
-    auto [found, seconds] = loops_of_side(surface, classes, solved(workings.inside), closest);
-    auto [tunnels, more] = loops_of_side(surface, classes, solved(workings.outside), closest);
-    seconds.insert(seconds.end(), more.begin(), more.end());
-    analysis.seconds.slowest_loops = slowest_hundredth(std::move(seconds));
-    loops = std::move(found);
-    if (open) {
-      loops = merged_by_size(std::move(loops), std::move(tunnels));
-    } else {
-      std::move(tunnels.begin(), tunnels.end(), std::back_inserter(loops));
-    }
-  }
-  certify(surface, classes, loops);
-  if (options.tighten != Tighten::none && !open) {
-    const SideLoops handles{{loops.data(), loops.size() / 2}, workings.inside.border_classes};
-    const SideLoops tunnels{{loops.data() + loops.size() / 2, loops.size() / 2},
+  double slowest_seconds = 0.0;  // see StageSeconds
+};
+
+LoopsAsFound found_loops(const Workings& workings, Engine engine,
+                         std::span<const std::uint32_t> closest) {
+  const Surface& surface = workings.analysis.surface;
+  if (engine == Engine::pair) return {loops_of_pairs(surface, workings.analysis.pairs)};
+  SearchedLoops inside = found_on(workings, workings.inside, closest);
+  SearchedLoops outside = found_on(workings, workings.outside, closest);
+  inside.seconds.insert(inside.seconds.end(), outside.seconds.begin(), outside.seconds.end());
+  const bool open = surface.boundary == Boundary::open;
+  return {open ? merged_by_size(std::move(inside.loops), std::move(outside.loops))
+               : joined(std::move(inside.loops), std::move(outside.loops)),
+          slowest_hundredth(std::move(inside.seconds))};
+}
+
+struct ProvedLoops {
+  std::vector<Loop> loops;
+  double least_handle_length = 0.0;  // see Analysis
+  double least_tunnel_length = 0.0;
+  double slowest_seconds = 0.0;  // see StageSeconds
+};
+
+/// The loops of both sides, certified and tightened as the options say.
+ProvedLoops proved_loops(const Workings& workings, const AnalysisOptions& options,
+                         std::span<const std::uint32_t> closest) {
+  const Surface& surface = workings.analysis.surface;
+  const SurfaceClasses& classes = workings.classes;
+  LoopsAsFound found = found_loops(workings, options.engine, closest);
+  ProvedLoops proved;
+  proved.slowest_seconds = found.slowest_seconds;
+  proved.loops = certified(surface, classes, std::move(found.loops));
+  if (options.tighten != Tighten::none && surface.boundary == Boundary::closed) {
+    const SideLoops handles{loops_of_kind(proved.loops, LoopKind::handle),
+                            workings.inside.border_classes};
+    const SideLoops tunnels{loops_of_kind(proved.loops, LoopKind::tunnel),
                             workings.outside.border_classes};
-    analysis.least_handle_length = shorten_basis(surface, classes, handles, tunnels);
-    analysis.least_tunnel_length = shorten_basis(surface, classes, tunnels, handles);
-    certify(surface, classes, loops);
-    if (options.tighten == Tighten::curve) straighten_loops(surface, classes, loops);
+    ShortenedBasis short_handles = shorten_basis(surface, classes, handles, tunnels);
+    ShortenedBasis short_tunnels =
+        shorten_basis(surface, classes, tunnels, {short_handles.loops, handles.border_classes});
+    proved.least_handle_length = short_handles.least_length;
+    proved.least_tunnel_length = short_tunnels.least_length;
+    proved.loops = certified(
+        surface, classes, joined(std::move(short_handles.loops), std::move(short_tunnels.loops)));
+    if (options.tighten == Tighten::curve)
+      proved.loops = straightened(surface, classes, std::move(proved.loops));
   }
-  check_measures(loops);
-  return loops;
+  check_measures(proved.loops);
+  return proved;
 }
 
 }  // namespace
@@ -213,8 +243,7 @@ Analysis count_topology(const AnyGridView& grid, const IsoLevel& level,
   return analysis;
 }
 
-Analysis find_loops(const AnyGridView& grid, const IsoLevel& level,
-                    const AnalysisOptions& options) {
+Analysis analyze(const AnyGridView& grid, const IsoLevel& level, const AnalysisOptions& options) {
   return work_out_loops(grid, level, options).analysis;
 }
 
@@ -230,7 +259,7 @@ Workings work_out_loops(const AnyGridView& grid, const IsoLevel& level,
     workings.edges = std::move(cut.edges);
     return std::move(cut.surface);
   });
-  const Sides& sides = *workings.sides;
+  const VoxelSides& sides = *workings.sides;
   const EdgeIndex& edges = *workings.edges;
   const Surface& surface = analysis.surface;
   analysis.betti = betti_numbers(surface);
@@ -270,16 +299,19 @@ Workings work_out_loops(const AnyGridView& grid, const IsoLevel& level,
       return pairs;
     });
   sizes.reset();
-  analysis.loops = clock.run("loops", 0.8, seconds.loops, [&] {
+  ProvedLoops proved = clock.run("loops", 0.8, seconds.loops, [&] {
     workings.classes = surface.boundary == Boundary::open
                            ? surface_classes(surface)
                            : surface_classes(surface, inside, workings.inside.pass, outside,
                                              workings.outside.pass);
-    find_borders(surface, workings.classes, workings.inside);
-    find_borders(surface, workings.classes, workings.outside);
-    return with_threads(loop_searches,
-                        [&] { return proved_loops(workings, options, closest, analysis); });
+    workings.inside = with_borders(surface, workings.classes, std::move(workings.inside));
+    workings.outside = with_borders(surface, workings.classes, std::move(workings.outside));
+    return with_threads(loop_searches, [&] { return proved_loops(workings, options, closest); });
   });
+  seconds.slowest_loops = proved.slowest_seconds;
+  analysis.loops = std::move(proved.loops);
+  analysis.least_handle_length = proved.least_handle_length;
+  analysis.least_tunnel_length = proved.least_tunnel_length;
   return workings;
 }
 

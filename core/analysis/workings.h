@@ -1,0 +1,43 @@
+// An analysis and all that it was made with, for what goes on from the loops.
+#pragma once
+
+#include <memory>
+
+#include "core/analysis/analysis.h"
+#include "core/complex/grid_complex.h"
+#include "core/cube/voxel_sides.h"
+#include "core/engines/dual_pass.h"
+#include "core/loops/certificate.h"
+#include "core/loops/killing_border.h"
+#include "core/surface/edge_index.h"
+#include "core/z2/z2_basis.h"
+
+namespace isoloop {
+
+/// One side of M with its labels, the borders of the surfaces that these span, and the borders'
+/// classes, which say what each loop closes.
+struct WorkedSide {
+  std::unique_ptr<GridComplex> complex;
+  DualPass pass;
+  KillingBorders borders;
+  Z2Basis border_classes;
+};
+
+/// Where M has no loops there are no complexes. VoxelSides and edges stay where they are: the
+/// complexes refer to them.
+struct Workings {
+  std::unique_ptr<const VoxelSides> sides;
+  std::unique_ptr<const EdgeIndex> edges;
+  WorkedSide inside;
+  WorkedSide outside;
+  SurfaceClasses classes;
+  Analysis analysis;
+
+  const WorkedSide& on(Side side) const { return side == Side::inside ? inside : outside; }
+};
+
+/// analyze(), with its workings.
+Workings work_out_loops(const AnyGridView& grid, const IsoLevel& level,
+                        const AnalysisOptions& options = {});
+
+}  // namespace isoloop
