@@ -27,8 +27,8 @@ struct WithLoops {
         outside_borders(killing_borders(*prepared.outside, outside)),
         inside_classes(border_classes(prepared.surface, classes, Side::inside, inside_borders)),
         outside_classes(border_classes(prepared.surface, classes, Side::outside, outside_borders)),
-        handles(found_on(*prepared.inside, inside, inside_borders, inside_classes)),
-        tunnels(found_on(*prepared.outside, outside, outside_borders, outside_classes)) {}
+        handles(search_on(*prepared.inside, inside, inside_borders, inside_classes).loops),
+        tunnels(search_on(*prepared.outside, outside, outside_borders, outside_classes).loops) {}
 
   void shorten(const BasisEffort& effort = {}) {
     const std::vector<Loop> all = certified(prepared.surface, classes, all_loops());
@@ -49,8 +49,8 @@ struct WithLoops {
     return all;
   }
 
-  std::vector<Loop> found_on(const GridComplex& complex, const DualPass& pass,
-                             const KillingBorders& borders, const Z2Basis& classes_there) const {
+  SearchedLoops search_on(const GridComplex& complex, const DualPass& pass,
+                          const KillingBorders& borders, const Z2Basis& classes_there) const {
     const std::vector<Curve> starts = starts_near(complex, pass.killing, prepared.closest);
     return loops_of_side(prepared.surface, classes,
                          {complex.side(), pass.killing, starts, borders, classes_there});

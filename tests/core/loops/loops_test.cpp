@@ -104,10 +104,8 @@ TEST(Loops, ALoopThatLeavesTheSurfaceIsNotCertified) {
 
 TEST(Loops, SayWhatTheSearchForEachOfThemTook) {
   Solved solved(testing::white_noise({9, 10, 8}, 3));
-  const SearchedLoops found = loops_of_side(
-      solved.prepared.surface, solved.classes,
-      {*solved.prepared.inside, solved.inside, solved.inside_borders, solved.inside_classes},
-      solved.prepared.closest);
+  const SearchedLoops found = solved.search_on(*solved.prepared.inside, solved.inside,
+                                               solved.inside_borders, solved.inside_classes);
   ASSERT_GT(found.loops.size(), 10U);
   ASSERT_EQ(found.seconds.size(), found.loops.size());
   for (const double seconds : found.seconds) EXPECT_GT(seconds, 0.0);

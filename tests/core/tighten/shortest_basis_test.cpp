@@ -99,7 +99,7 @@ TEST(ShortestBasis, EndsThoughMoreLoopsAreOutOfReachThanItCanSearchFor) {
   EXPECT_GT(loops.handles.size(), 200U);
   loops.shorten({3e6, 0.0});
   std::vector<Loop> all = loops.all_loops();
-  EXPECT_NO_THROW(certify(loops.prepared.surface, loops.classes, all));
+  EXPECT_NO_THROW(certified(loops.prepared.surface, loops.classes, all));
 }
 
 TEST(ShortestBasis, IsTheSameForAnyNumberOfThreads) {
