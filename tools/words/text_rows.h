@@ -46,6 +46,7 @@ template <std::size_t Columns>
 void write_rows(std::ostream& out, const std::vector<Row<Columns>>& rows,
                 const std::array<bool, Columns>& flush_left) {
   std::vector<std::vector<std::string>> texts;
+  texts.reserve(rows.size());
   for (const Row<Columns>& row : rows) texts.emplace_back(row.begin(), row.end());
   write_rows(out, texts, std::vector<bool>(flush_left.begin(), flush_left.end()));
 }

@@ -310,6 +310,7 @@ std::vector<DicomSeries> dicom_series(const std::filesystem::path& folder) {
     ++one.slices;
   }
   std::vector<DicomSeries> list;
+  list.reserve(series.size());
   for (const auto& [id, one] : series) list.push_back(one);
   return list;
 }
