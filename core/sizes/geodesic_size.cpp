@@ -49,14 +49,17 @@ struct Ends {
     return {closest[sides.is_on(Side::outside, v) ? v : upper_end(edge)], edges.vertex_on(edge)};
   }
 
-  /// Whether an edge of lesser number, of the same direction and next to a full edge with these
-  /// ends, has the same ones: most do, for what is closest to one vertex of M is long and thin.
-  bool are_those_of_a_lesser(std::uint32_t edge, const std::array<std::uint32_t, 2>& ends) const {
+  /// Whether a full edge of lesser number and the same direction, next to this one in the numbering
+  /// of the lattice, has the same ends: most do, for what is closest to one vertex of M is long and
+  /// thin. `not_zero`: edges_of_size(). It tells what is an edge of the box: at the box's border
+  /// the next number may be none.
+  bool are_those_of_a_lesser(std::uint32_t edge, const std::array<std::uint32_t, 2>& ends,
+                             const EdgeSet& not_zero) const {
     for (const std::uint32_t step : sides.lattice.stride) {
       if (edge / 3 < step) return false;
       const std::uint32_t beside = edge - 3 * step;
-      if (closest[beside / 3] == ends[0] && closest[upper_end(beside)] == ends[1] &&
-          !is_cut(beside))
+      if (closest[beside / 3] == ends[0] && not_zero[beside] &&
+          closest[upper_end(beside)] == ends[1] && !is_cut(beside))
         return true;
     }
     return false;
@@ -97,7 +100,8 @@ void for_each_pair_of_ends(const Ends& ends, const EdgeSet& not_zero, const Surf
   tbb::parallel_for(std::uint32_t{0}, not_zero.block_count(), [&](std::uint32_t block) {
     not_zero.visit_block(block, [&](std::uint32_t, std::uint32_t edge) {
       const auto pair = ends.of(edge);
-      if (component[pair[0]] == component[pair[1]] && !ends.are_those_of_a_lesser(edge, pair))
+      if (component[pair[0]] == component[pair[1]] &&
+          !ends.are_those_of_a_lesser(edge, pair, not_zero))
         visit(pair[0], pair[1]);
     });
     ends.edges.visit_block(block, [&](std::uint32_t, std::uint32_t edge) {

@@ -2,13 +2,18 @@
 
 #include <utility>
 
+#include "core/base/errors.h"
+
 namespace isoloop {
 
 std::uint32_t VertexPairs::find(std::uint32_t a, std::uint32_t b) const {
   if (a > b) std::swap(a, b);
   const auto begin = partner.begin() + first[a];
   const auto end = partner.begin() + first[a + 1];
-  return static_cast<std::uint32_t>(std::lower_bound(begin, end, b) - partner.begin());
+  const auto at = std::lower_bound(begin, end, b);
+  if (at == end || *at != b)
+    throw SelfCheckFailed("the distance of two vertices is asked for that was not looked for");
+  return static_cast<std::uint32_t>(at - partner.begin());
 }
 
 VertexPairs PairCollector::take() {

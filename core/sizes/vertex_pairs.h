@@ -18,7 +18,7 @@ struct VertexPairs {
 
   std::uint32_t source_count() const { return static_cast<std::uint32_t>(first.size() - 1); }
 
-  /// Position of {a, b} in partner. It must be there; a != b.
+  /// Position of {a, b} in partner; a != b. Throws SelfCheckFailed where it is not there.
   std::uint32_t find(std::uint32_t a, std::uint32_t b) const;
 };
 

@@ -27,31 +27,62 @@ std::vector<float> edge_sizes(const Prepared& p, Side side) {
   return sizes;
 }
 
-TEST(GeodesicSize, ExactSizesAreThoseOfBoostsDijkstra) {
-  for (const SmallVolume& volume :
-       {testing::smooth_noise({10, 9, 11}, 4, 2), testing::linked_tori({20, 20, 20})}) {
-    const Prepared p(volume);
-    const EdgeGraph& graph = p.surface.graph;
-    for (std::uint32_t v = 5; v + p.sides.lattice.stride[2] < p.sides.lattice.vertex_count();
-         v += 53) {
-      const std::uint32_t w = v + p.sides.lattice.stride[2];
-      if (p.sides.inside[v] != p.sides.inside[w]) continue;
-      std::vector<float> distances(graph.vertex_count());
-      const auto edge_number = get(boost::edge_index, graph.csr);
-      boost::dijkstra_shortest_paths(
-          graph.csr, p.closest[v],
-          boost::weight_map(boost::make_iterator_property_map(graph.lengths.begin(), edge_number))
-              .distance_inf(std::numeric_limits<float>::infinity())
-              .distance_map(boost::make_iterator_property_map(
-                  distances.begin(), get(boost::vertex_index, graph.csr))));
-      const float expected = distances[p.closest[w]];
-      const float size = p.sizes.by_edge[3 * v + 2];
-      if (std::isinf(expected))
-        EXPECT_TRUE(std::isinf(size));
+/// Lengths of the shortest paths along M from one of its vertices.
+std::vector<float> boosts_distances(const EdgeGraph& graph, std::uint32_t source) {
+  std::vector<float> distances(graph.vertex_count());
+  const auto edge_number = get(boost::edge_index, graph.csr);
+  boost::dijkstra_shortest_paths(
+      graph.csr, source,
+      boost::weight_map(boost::make_iterator_property_map(graph.lengths.begin(), edge_number))
+          .distance_inf(std::numeric_limits<float>::infinity())
+          .distance_map(boost::make_iterator_property_map(distances.begin(),
+                                                          get(boost::vertex_index, graph.csr))));
+  return distances;
+}
+
+/// The sizes of all grid edges at every `every`-th vertex, and of the halves of cut ones.
+void expect_exact_sizes(const Prepared& p, std::uint32_t every) {
+  const Lattice& lattice = p.sides.lattice;
+  for (std::uint32_t v = 0; v < lattice.vertex_count(); v += every) {
+    const auto from = boosts_distances(p.surface.graph, p.closest[v]);
+    const auto expect_size = [&](float size, std::uint32_t end) {
+      if (std::isinf(from[end]))
+        ASSERT_TRUE(std::isinf(size)) << v;
       else
-        EXPECT_NEAR(size, expected, 1e-3);
+        ASSERT_NEAR(size, from[end], 1e-3) << v;
+    };
+    const auto position = lattice.position(v);
+    for (std::uint32_t a = 0; a < 3; ++a) {
+      if (position[a] + 1 == lattice.dims[a]) continue;
+      const std::uint32_t edge = 3 * v + a;
+      if (!p.edges.is_cut(edge)) {
+        expect_size(p.sizes.by_edge[edge], p.closest[v + lattice.stride[a]]);
+      } else {
+        const std::uint32_t crossing = p.edges.vertex_on(edge);
+        expect_size(p.sides.is_on(Side::inside, v) ? p.sizes.by_edge[edge]
+                                                   : p.sizes.of_outside_half[crossing],
+                    crossing);
+      }
     }
   }
+}
+
+TEST(GeodesicSize, ExactSizesAreThoseOfBoostsDijkstra) {
+  for (const SmallVolume& volume :
+       {testing::smooth_noise({10, 9, 11}, 4, 2), testing::linked_tori({20, 20, 20})})
+    expect_exact_sizes(Prepared(volume), 17);
+}
+
+// Rows and layers of two vertices, and few of M: what lies beside an edge by its number may be no
+// edge of the box there, and yet have the same ends.
+TEST(GeodesicSize, ExactSizesAreThoseOfBoostsDijkstraInThinOpenBoxes) {
+  for (const Index3& dims : {Index3{2, 6, 6}, Index3{6, 2, 6}, Index3{6, 6, 2}, Index3{2, 2, 6}})
+    for (std::uint32_t seed = 0; seed < 4000; ++seed) {
+      SmallVolume volume = testing::white_noise(dims, seed);
+      for (double& value : volume.values) value += seed % 2 == 0 ? 0.8 : -0.8;
+      const Prepared p(volume, GeodesicMode::exact, Boundary::open);
+      if (!p.surface.points.empty()) expect_exact_sizes(p, 1);
+    }
 }
 
 TEST(GeodesicSize, HalvesOfACutEdgeLeadToItsVertexOnM) {
