@@ -17,19 +17,18 @@
 namespace isoloop {
 
 /// One row for each iso value, in their order: strictly ascending, finite. On the threads that the
-/// caller has, whatever options.threads says. Takes about 24 bytes a
-/// voxel, and 4 for each face whose corners' values can alternate. Throws InvalidArgument (iso
-/// values, dimensions), InvalidInput (NaN in the grid), LimitExceeded over max_lattice_vertices or
-/// where it takes more than options.max_bytes, SelfCheckFailed where the counts contradict each
-/// other.
+/// caller has, whatever options.threads says. Takes about 24 bytes a voxel, and 4 for each face
+/// whose corners' values can alternate. Throws InvalidArgument (iso values, dimensions),
+/// InvalidInput (NaN in the grid), LimitExceeded over max_lattice_vertices or where it takes more
+/// than options.max_bytes, SelfCheckFailed where the counts contradict each other.
 std::vector<ScanRow> scan_topology(const AnyGridView& grid, std::span<const double> iso_values,
                                    const ScanOptions& options = {});
 
 /// The same, and beside it what is large.
 struct SizedScan {
   std::vector<ScanRow> rows;  // as those of scan_topology()
-  std::vector<std::vector<Betti>>
-      large;                          // by size, then by row: b0 and b2 of so many voxels or more
+  /// By size, then by row: b0 and b2 of so many voxels or more.
+  std::vector<std::vector<Betti>> large;
   std::vector<std::int64_t> largest;  // by row: voxels of the largest component
 };
 

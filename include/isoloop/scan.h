@@ -44,8 +44,7 @@ inline constexpr std::size_t max_scan_values = 65'000;
 
 /// Rows first ... last of a scan that all have the same `large` numbers; as many as can be,
 /// but those where the solid, or the outside, holds less than a thousandth of all voxels stand
-/// apart. Where
-/// something is set aside, a row whose two neighbours agree counts as they do.
+/// apart. Where something is set aside, a row whose two neighbours agree counts as they do.
 struct Plateau {
   std::size_t first = 0;
   std::size_t last = 0;
