@@ -522,7 +522,7 @@ def view(
     asked.set_feature_ratio(feature_ratio)
     made = _input(volume, label, spacing, affine, frame, unit, nan_as)
     run = _core.loops(made, asked, _limits(threads, max_memory), progress)
-    warn(([run.left_out] if run.left_out else []))
+    warn(run.warnings[len(volume.warnings) if isinstance(volume, Volume) else 0 :])
     drawn = _arrays.input_of(numpy.asfortranarray(made.voxels()))
     page = Page(_core.page(run, drawn, triangles), Loops(run))
     if output is not None:

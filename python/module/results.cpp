@@ -295,7 +295,6 @@ void bind_loops(py::module_& module) {
       .def("table", text_by(write_loops_table))
       .def("csv", text_by(write_csv))
       .def_property_readonly("found", [](const LoopsRun& run) { return run.analysis.loops.size(); })
-      .def_property_readonly("left_out", [](const LoopsRun& run) { return run.left_out; })
       .def("columns", &loop_columns)
       .def("curves", &curves_of)
       .def("feature_columns", &feature_columns)

@@ -68,19 +68,13 @@ auto run_on(const Input& input, const LevelFlags& level, const Limits& limits,
   return watched(progress, input.holder, all);
 }
 
-/// As the command does, but for printing it.
-void compare_quietly(RunInput& run, const Analysis& analysis) {
-  const std::string difference = difference_text(run, analysis);
-  if (!difference.empty()) run.volume.warnings.push_back({.text = difference});
-}
-
 std::shared_ptr<CountRun> count(const Input& input, const LevelFlags& level, const Limits& limits,
                                 const py::object& progress) {
   return run_on(
       input, level, limits, progress,
       [axes = input.axes, boundary = boundary_of(level)](RunInput run, const Progress& tell) {
         CountRun counted = counted_run(std::move(run), boundary, tell);
-        compare_quietly(counted, counted.analysis);
+        compare_with_mesh(counted, counted.analysis);
         turn_to_array(axes, counted);
         return counted;
       });
@@ -93,7 +87,7 @@ std::shared_ptr<LoopsRun> loops(const Input& input, const LoopsInput& asked, con
                 [axes = input.axes, asked](RunInput run, const Progress& tell) {
                   LoopsRun found = find_in(std::move(run), asked, tell);
                   found.with_features = asked.features && !asked.features_may_lack;
-                  compare_quietly(found, found.analysis);
+                  compare_with_mesh(found, found.analysis);
                   found.analysis.surface.graph = {};  // what follows asks for the mesh alone
                   turn_to_array(axes, found);
                   return found;
@@ -122,7 +116,7 @@ std::shared_ptr<RepairRun> repair(const Input& input, const LevelFlags& level,
                 [axes = input.axes, boundary = boundary_of(level), request = repair_request(asked)](
                     RunInput run, const Progress& tell) {
                   RepairRun repaired = repaired_run(std::move(run), boundary, request, tell);
-                  compare_quietly(repaired, repaired.repair.before);
+                  compare_with_mesh(repaired, repaired.repair.before);
                   turn_to_array(axes, repaired);
                   return repaired;
                 });

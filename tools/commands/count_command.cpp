@@ -2,22 +2,21 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
-#include "core/base/errors.h"
 #include "core/base/threads.h"
 #include "tools/flags/thread_flag.h"
 #include "tools/reports/report_csv.h"
 #include "tools/reports/report_json.h"
 #include "tools/reports/report_table.h"
-#include "tools/runs/frowns.h"
+#include "tools/runs/count_run.h"
 #include "tools/runs/mesh_comparison.h"
 #include "tools/runs/output_files.h"
 #include "tools/runs/read_run.h"
 #include "tools/runs/report_run.h"
 #include "tools/words/flag_checks.h"
-#include "tools/words/number_text.h"
 #include "tools/words/progress.h"
 
 namespace isoloop {
@@ -32,36 +31,6 @@ struct CountFlags {
   std::string csv;   // file, "-" or empty
 };
 
-/// A mask's hint says what the flags that it names would count.
-void complete_hint(RunInput& run) {
-  if (run.hint.empty()) return;
-  const IsoLevel level{.iso = run.range.max, .topology = Topology::connected_26};
-  try {
-    const Betti betti =
-        count_topology(view(run.volume), level, {.max_bytes = run.cost.max_bytes}).betti;
-    run.hint += ", which gives " + counted(betti.b0, "component", "components") + ", " +
-                counted(betti.b1, "tunnel", "tunnels") + " and " +
-                counted(betti.b2, "cavity", "cavities");
-  } catch (const LimitExceeded&) {  // what was asked for may have room all the same
-  }
-}
-
-CountRun counted_run(const CountFlags& flags, const Progress& progress) {
-  CountRun run{read_run(flags.volume, flags.level)};
-  complete_hint(run);
-  run.analysis = about_file(run.file, [&] {
-    return on_threads(flags.threads, [&] {
-      return count_topology(view(run.volume), run.level,
-                            {.boundary = boundary_of(flags.level),
-                             .progress = progress,
-                             .max_bytes = run.cost.max_bytes});
-    });
-  });
-  check_counts(run.analysis);
-  warn(run, count_warnings(run, run.analysis));
-  return run;
-}
-
 void count(const CountFlags& flags) {
   CountRun run;
   OutputFiles outputs(flags.volume.file);
@@ -69,7 +38,13 @@ void count(const CountFlags& flags) {
   outputs.add("--csv", flags.csv, report_of(run, write_count_csv));
   run_and_report<CountRun>(
       flags.progress, outputs, run,
-      {.run = [&](const Progress& progress) { return counted_run(flags, progress); },
+      {.run =
+           [&](const Progress& progress) {
+             RunInput input = read_run(flags.volume, flags.level);
+             return on_threads(flags.threads, [&] {
+               return counted_run(std::move(input), boundary_of(flags.level), progress);
+             });
+           },
        .settle = [](CountRun& counted) { compare_with_mesh(counted, counted.analysis); },
        .table = write_count_table});
 }

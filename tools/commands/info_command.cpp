@@ -100,7 +100,8 @@ void add_info_command(CLI::App& app) {
   command.callback([flags] {
     check_flags_fit_file(*flags);
     const StagedFile staged = staged_input(*flags);
-    Volume volume;
+    RunInput run;
+    Volume& volume = run.volume;
     try {
       volume = read_named(*flags, read_options(*flags), staged);
     } catch (const InvalidArgument& error) {
@@ -110,7 +111,7 @@ void add_info_command(CLI::App& app) {
     }
     const std::string unit = split_unit("--spacing", flags->spacing).unit;
     if (!unit.empty()) volume.unit = unit;
-    print_warnings(std::cerr, volume);
+    tell_warnings(std::cerr, run);
     write_info(std::cout, *flags, volume);
     finish_stdout();
   });

@@ -16,6 +16,7 @@
 #include "tools/flags/thread_flag.h"
 #include "tools/reports/report_table.h"
 #include "tools/runs/auto_iso.h"
+#include "tools/runs/count_run.h"
 #include "tools/runs/mesh_comparison.h"
 #include "tools/runs/read_run.h"
 #include "tools/runs/report_run.h"
@@ -80,14 +81,7 @@ CountRun overview_run(const OverviewFlags& flags, const Progress& progress, std:
   CountRun run{read_run(flags.volume, level)};
   refusal = settle_level(flags, run);
   if (!refusal.empty()) return run;
-  run.analysis = about_file(run.file, [&] {
-    return count_topology(view(run.volume), run.level,
-                          {.boundary = boundary_of(flags.level),
-                           .progress = progress,
-                           .max_bytes = run.cost.max_bytes});
-  });
-  check_counts(run.analysis);
-  return run;
+  return counted_run(std::move(run), boundary_of(flags.level), progress);
 }
 
 void overview(const OverviewFlags& flags) {

@@ -3,13 +3,13 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "core/base/errors.h"
-#include "core/base/stage.h"
 #include "core/base/threads.h"
 #include "tools/flags/repair_flags.h"
 #include "tools/flags/thread_flag.h"
@@ -17,6 +17,7 @@
 #include "tools/runs/mesh_comparison.h"
 #include "tools/runs/output_files.h"
 #include "tools/runs/read_run.h"
+#include "tools/runs/repair_run.h"
 #include "tools/runs/report_run.h"
 #include "tools/words/flag_checks.h"
 #include "tools/words/progress.h"
@@ -118,21 +119,11 @@ void check_together(const CommandFlags& flags) {
   }
 }
 
-RepairRun repaired_run(const CommandFlags& flags, const Progress& progress) {
-  RepairRun run{read_run(flags.volume, flags.level)};
-  const RepairRequest request = repair_request(flags.repair, &run.volume);
-  if (!flags.dry_run) check_format(flags, run.volume);
-  run.repair = about_file(run.file, [&] {
-    return in_stage("repair", [&] {
-      return repair_loops(view(run.volume), run.level, request,
-                          {.boundary = boundary_of(flags.level),
-                           .progress = progress,
-                           .max_bytes = run.cost.max_bytes});
-    });
-  });
-  check_counts(run.repair.after);
-  check_loops(run.repair.after);
-  return run;
+RepairRun run_of(const CommandFlags& flags, const Progress& progress) {
+  RunInput input = read_run(flags.volume, flags.level);
+  const RepairRequest request = repair_request(flags.repair, &input.volume);
+  if (!flags.dry_run) check_format(flags, input.volume);
+  return repaired_run(std::move(input), boundary_of(flags.level), request, progress);
 }
 
 /// Writes the repaired volume, unless the run is a dry one.
@@ -153,7 +144,7 @@ void repair(const CommandFlags& flags) {
   outputs.add("--json", flags.json, report_of(run, write_repair_json));
   run_and_report<RepairRun>(
       flags.progress, outputs, run,
-      {.run = [&](const Progress& progress) { return repaired_run(flags, progress); },
+      {.run = [&](const Progress& progress) { return run_of(flags, progress); },
        .settle = [&](RepairRun& repaired) { settle(flags, repaired); },
        .table = write_repair_table});
 }

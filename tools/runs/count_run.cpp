@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/base/errors.h"
+#include "tools/runs/frowns.h"
 #include "tools/runs/read_run.h"
 #include "tools/words/number_text.h"
 
@@ -33,6 +34,8 @@ CountRun counted_run(RunInput volume, Boundary boundary, const Progress& progres
         {.boundary = boundary, .progress = progress, .max_bytes = run.cost.max_bytes});
   });
   check_counts(run.analysis);
+  for (std::string& warning : count_warnings(run, run.analysis))
+    add_warning(run, std::move(warning));
   return run;
 }
 

@@ -6,7 +6,8 @@
 
 namespace isoloop {
 
-/// Counts, and adds to a mask's hint what the flags that it names would count. Throws as
+/// Counts, warns of what a person would frown at, and adds to a mask's hint what the flags that it
+/// names would count. Throws as
 /// count_topology() and check_counts() do.
 CountRun counted_run(RunInput volume, Boundary boundary, const Progress& progress);
 

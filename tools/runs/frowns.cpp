@@ -1,6 +1,5 @@
 #include "tools/runs/frowns.h"
 
-#include <iostream>
 #include <variant>
 
 #include "core/grid/level.h"
@@ -70,13 +69,6 @@ std::vector<std::string> count_warnings(const RunInput& run, const Analysis& ana
         " tunnels, most of which may be noise; another --iso may have fewer (isoloop "
         "scan), and --min-size of isoloop loops leaves small ones out");
   return warnings;
-}
-
-void warn(RunInput& run, const std::vector<std::string>& warnings) {
-  for (const std::string& warning : warnings) {
-    std::cerr << "isoloop: warning: " << warning << '\n';
-    run.volume.warnings.push_back({.text = warning});
-  }
 }
 
 }  // namespace isoloop

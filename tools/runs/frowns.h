@@ -20,7 +20,4 @@ double inside_share_of_border(const RunInput& run);
 /// One sentence each: the solid fills the border all along; more than a thousand tunnels.
 std::vector<std::string> count_warnings(const RunInput& run, const Analysis& analysis);
 
-/// Prints them to standard error, one a line, and adds them to the volume's warnings for reports.
-void warn(RunInput& run, const std::vector<std::string>& warnings);
-
 }  // namespace isoloop

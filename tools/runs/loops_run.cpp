@@ -1,6 +1,5 @@
 #include "tools/runs/loops_run.h"
 
-#include <iostream>
 #include <utility>
 
 #include "core/base/errors.h"
@@ -44,7 +43,8 @@ LoopsRun found_in(RunInput volume, const LoopsInput& input, const Progress& prog
   if (progress) progress("checks", 0.92);
   check_counts(run.analysis);
   check_loops(run.analysis);
-  warn(run, count_warnings(run, run.analysis));
+  for (std::string& warning : count_warnings(run, run.analysis))
+    add_warning(run, std::move(warning));
   run.reported = select_loops(run.analysis.loops, run.filter);
   if (input.features && boundary == Boundary::closed) {
     if (progress) progress("features", 0.93);
@@ -56,8 +56,7 @@ LoopsRun found_in(RunInput volume, const LoopsInput& input, const Progress& prog
       });
     } catch (const LimitExceeded& error) {
       if (!input.features_may_lack) throw;
-      run.left_out = "features are left out: " + sentence_of(error.finding);
-      std::cerr << "isoloop: warning: " << run.left_out << '\n';
+      add_warning(run, "features are left out: " + sentence_of(error.finding));
     }
   }
   if (input.with_scan && boundary == Boundary::closed && !run.level.upper) {

@@ -49,10 +49,8 @@ std::string difference_text(const RunInput& run, const Analysis& analysis) {
 }
 
 void compare_with_mesh(RunInput& run, const Analysis& analysis) {
-  const std::string difference = difference_text(run, analysis);
-  if (difference.empty()) return;
-  run.volume.warnings.push_back({.text = difference});
-  std::cerr << "isoloop: warning: " << difference << '\n';
+  std::string difference = difference_text(run, analysis);
+  if (!difference.empty()) add_warning(run, std::move(difference));
 }
 
 std::string mesh_text(const MeshCounts& mesh) {

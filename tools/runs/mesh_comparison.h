@@ -19,7 +19,7 @@ std::optional<bool> voxels_agree(const RunInput& run, const Analysis& analysis);
 /// Empty if they agree, if nothing is known, or if --resolution auto has said so.
 std::string difference_text(const RunInput& run, const Analysis& analysis);
 
-/// Adds difference_text() to the volume's warnings, and prints it to standard error.
+/// Adds difference_text() to the volume's warnings.
 void compare_with_mesh(RunInput& run, const Analysis& analysis);
 
 /// Of the volume's mesh: "2 shells: 2 components, 2 tunnels, 0 cavities", or why they are unknown.

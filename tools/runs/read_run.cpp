@@ -18,12 +18,6 @@
 
 namespace isoloop {
 
-void print_warnings(std::ostream& out, const Volume& volume) {
-  for (const std::string& warning : sentences_of(volume.warnings)) {
-    out << "isoloop: warning: " << warning << '\n';
-  }
-}
-
 namespace {
 
 /// What the flags say; with --iso auto what the voxels suggest, and `run` says so.
@@ -94,13 +88,13 @@ RunInput read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flags
   run.cost.max_bytes = limit - std::min(limit, resident_bytes());
   if (const std::string unit = split_unit("--spacing", volume_flags.spacing).unit; !unit.empty())
     run.volume.unit = unit;
-  print_warnings(std::cerr, run.volume);
   settle_level(run, level_flags, !volume_flags.label.empty());
   if (volume_flags.label.empty()) {
     const std::string labels =
         label_warning(run, !level_flags.iso.empty() && run.iso_choice.empty());
-    if (!labels.empty()) warn(run, {labels});
+    if (!labels.empty()) add_warning(run, labels);
   }
+  tell_warnings(std::cerr, run);
   run.cost.read_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return run;

@@ -1,7 +1,6 @@
 // The first half of a run: from flags to a volume and a level.
 #pragma once
 
-#include <iosfwd>
 #include <string>
 
 #include "core/base/errors.h"
@@ -10,9 +9,6 @@
 #include "tools/runs/staged_input.h"
 
 namespace isoloop {
-
-/// One line for each of the volume's warnings.
-void print_warnings(std::ostream& out, const Volume& volume);
 
 /// Reads what the flags name, or its copy if `staged` is one, and prints nothing. Throws as
 /// read_volume() does, of the copy in the name of the flags' file.
@@ -27,10 +23,10 @@ Volume read_flagged(const VolumeFlags& flags, VdbMargin margin);
 /// choose_iso().
 void settle_level(RunInput& run, const LevelFlags& flags, bool is_mask_of_labels);
 
-/// Reads the volume, prints its warnings to standard error, and settles the level, with --iso auto
-/// as choose_iso() does; the analysis is still empty. --max-memory, if given, bounds the process
-/// from here on. Throws as check_flags_agree, check_flags_fit_file, read_options, read_volume and
-/// iso_level do.
+/// Reads the volume, settles the level, with --iso auto as choose_iso() does, and tells the
+/// warnings on standard error; the analysis is still empty. --max-memory, if given, bounds the
+/// process from here on. Throws as check_flags_agree, check_flags_fit_file, read_options,
+/// read_volume and iso_level do.
 RunInput read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flags);
 
 /// The error, with the advice to read a part made one to take larger voxels if `file` is a mesh, of

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <concepts>
 #include <functional>
 #include <iostream>
 
@@ -19,9 +20,9 @@ struct Course {
   std::function<void(std::ostream&, const Result&)> table;  // for people
 };
 
-/// Fills `result`, which the reports of `outputs` refer to, and writes them; then the table, where
-/// no report has standard output. Throws what the steps throw, and as OutputFiles::write() and
-/// finish_stdout() do.
+/// Fills `result`, which the reports of `outputs` refer to, tells its warnings on standard error
+/// and writes the reports; then the table, where no report has standard output. Throws what the
+/// steps throw, and as OutputFiles::write() and finish_stdout() do.
 template <class Result>
 void run_and_report(const ProgressFlags& flags, const OutputFiles& outputs, Result& result,
                     const Course<Result>& course) {
@@ -31,6 +32,7 @@ void run_and_report(const ProgressFlags& flags, const OutputFiles& outputs, Resu
   result.cost.peak_bytes = peak_resident_bytes();
   progress.clear();
   if (course.settle) course.settle(result);
+  if constexpr (std::derived_from<Result, RunInput>) tell_warnings(std::cerr, result);
   result.cost.total_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   outputs.write();

@@ -97,6 +97,16 @@ std::vector<Loop> select_loops(const std::vector<Loop>& loops, const LoopFilter&
   return selected;
 }
 
+void add_warning(RunInput& run, std::string sentence) {
+  run.volume.warnings.push_back({.text = std::move(sentence)});
+}
+
+void tell_warnings(std::ostream& out, RunInput& run) {
+  const std::vector<std::string> sentences = sentences_of(run.volume.warnings);
+  for (; run.warnings_told < sentences.size(); ++run.warnings_told)
+    out << "isoloop: warning: " << sentences[run.warnings_told] << '\n';
+}
+
 AnyGridView voxels_of(const RunInput& run) { return run.voxels ? *run.voxels : view(run.volume); }
 
 std::vector<std::string> notes_of(const RunInput& run) {

@@ -2,6 +2,7 @@
 // what came out, what it cost.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -56,8 +57,15 @@ struct RunInput {
   std::string iso_choice{};  // how --iso auto came to the level's iso value; empty: it was stated
   std::string remark{};      // on the unit of lengths; or empty
   std::string hint{};  // what the values suggest, for a mask that was not read as one; or empty
+  std::size_t warnings_told = 0;  // of the volume's, to the user
   RunCost cost{};
 };
+
+/// Adds a sentence to the volume's warnings, which commands tell and reports repeat.
+void add_warning(RunInput& run, std::string sentence);
+
+/// Prints the warnings that have not been told, one a line.
+void tell_warnings(std::ostream& out, RunInput& run);
 
 /// The voxels of the run's volume, wherever they are held.
 AnyGridView voxels_of(const RunInput& run);
@@ -77,7 +85,6 @@ struct LoopsRun : CountRun {
   std::vector<Loop> reported{};     // select_loops(analysis.loops, filter)
   std::vector<Feature> features{};  // one for each of analysis.loops; empty: not looked for
   bool with_features = false;       // reports tell of them
-  std::string left_out{};           // what memory had no room for, a sentence; or empty
   std::optional<Scan> scan{};       // where a page is to show it
 };
 
