@@ -15,11 +15,15 @@
 namespace isoloop {
 namespace {
 
-/// Half the side of a cube of so many voxels.
-std::int64_t block_side(std::int64_t voxels) {
-  std::int64_t side = 1;
-  while (8 * (side + 1) * (side + 1) * (side + 1) <= voxels) ++side;
-  return side;
+/// Half the side of a cube of so many voxels, and no more than the grid's longest.
+std::int64_t block_side(std::int64_t voxels, const AnyGridView& grid) {
+  const Index3 dims = std::visit([](const auto& view) { return view.dims; }, grid);
+  const auto longest = static_cast<std::uint64_t>(*std::max_element(dims.begin(), dims.end()));
+  std::uint64_t side = 1;
+  while (side < longest &&
+         8 * (side + 1) * (side + 1) * (side + 1) <= static_cast<std::uint64_t>(voxels))
+    ++side;
+  return static_cast<std::int64_t>(side);
 }
 
 void check_ignored(const ScanOptions& options) {
@@ -103,7 +107,7 @@ Scan scan_and_propose(const AnyGridView& grid, std::span<const double> iso_value
   const bool is_chosen = !options.ignore_below && !options.ignore_share;
   if ((is_chosen || sizes.empty()) && judge(scan, voxel_count, parted, 0)) return scan;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
-    const std::int64_t side = block_side(sizes[i]);
+    const std::int64_t side = block_side(sizes[i], grid);
     set_large(
         scan.rows, counts.large[i],
         side == 1 ? std::vector<std::int64_t>{} : wide_tunnels(grid, side, iso_values, options));

@@ -16,7 +16,7 @@ Scan scan_and_propose(const AnyGridView& grid, std::span<const double> iso_value
                       const ScanOptions& options = {});
 
 /// Sizes that are set aside in turn, in voxels, in a grid of so many: 64, 512, 4096 where they are
-/// below a thousandth of it.
+/// at most a thousandth of it.
 std::vector<std::int64_t> default_ignored_sizes(std::int64_t voxel_count);
 
 }  // namespace isoloop

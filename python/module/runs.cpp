@@ -97,10 +97,10 @@ std::shared_ptr<LoopsRun> loops(const Input& input, const LoopsInput& asked, con
 std::shared_ptr<ScanRun> scan(const Input& input, const LevelFlags& level, const ScanRange& range,
                               const std::string& ignore_below, const Limits& limits,
                               const py::object& progress) {
-  LevelFlags with_iso = level;
-  with_iso.iso = "0";  // stands in until an iso value is proposed
+  LevelFlags without_iso = level;
+  without_iso.iso_is_open = true;
   return run_on(
-      input, with_iso, limits, progress,
+      input, without_iso, limits, progress,
       [range, ignored = parse_ignored_size(ignore_below)](RunInput run, const Progress& tell) {
         ScanRun scanned{std::move(run)};
         const auto isos = scan_values(range, voxels_of(scanned), scanned.range);

@@ -72,7 +72,9 @@ TEST_F(FirstWords, ALabelMapIsDescribedWithItsLabels) {
   labels[62] = '\3';
   labels[63] = '\7';
   scratch_.write("labels_5x5x5_uint8.raw", labels);
-  expect_words(run({"labels_5x5x5_uint8.raw"}), {"0, 3, 7 alone", "--label 1"});
+  expect_words(run({"labels_5x5x5_uint8.raw"}), {"0, 3, 7 alone", "--label 3"});
+  expect_words(run({"scan", "labels_5x5x5_uint8.raw", "--json", "-"}),
+               {"\"proposed_iso\": null", "\"otsu_iso\": null"});
 }
 
 TEST_F(FirstWords, WhatIsNearlyACommandOrAFlagNamesTheOneThatIsMeant) {

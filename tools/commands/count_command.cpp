@@ -40,10 +40,8 @@ void count(const CountFlags& flags) {
       flags.progress, outputs, run,
       {.run =
            [&](const Progress& progress) {
-             RunInput input = read_run(flags.volume, flags.level);
-             return on_threads(flags.threads, [&] {
-               return counted_run(std::move(input), boundary_of(flags.level), progress);
-             });
+             return counted_run(read_run(flags.volume, flags.level), boundary_of(flags.level),
+                                progress);
            },
        .settle = [](CountRun& counted) { compare_with_mesh(counted, counted.analysis); },
        .table = write_count_table});
@@ -72,7 +70,7 @@ void add_count_command(CLI::App& app) {
       "  isoloop count engine_256x256x128_uint8.raw --iso 70\n"
       "  isoloop count part.stl --resolution auto --json counts.json\n"
       "  isoloop count scan.raw --dims 512 512 300 --type i16 --iso 400 --json -");
-  command.callback([flags] { count(*flags); });
+  command.callback([flags] { on_threads(flags->threads, [&] { count(*flags); }); });
 }
 
 }  // namespace isoloop

@@ -37,14 +37,11 @@ struct ScanFlags {
 
 ScanRun scanned_run(const ScanFlags& flags, const Progress& progress) {
   LevelFlags level = flags.level;
-  level.iso = "0";  // stands in until an iso value is proposed
+  level.iso_is_open = true;
   ScanRun run{read_run(flags.volume, level)};
   const std::vector<double> isos = scan_values(flags.range, voxels_of(run), run.range);
-  run.scan = in_stage("scan", [&] {
-    return on_threads(flags.threads, [&] {
-      return scan_of(run, isos, progress, parse_ignored_size(flags.ignored));
-    });
-  });
+  run.scan = in_stage(
+      "scan", [&] { return scan_of(run, isos, progress, parse_ignored_size(flags.ignored)); });
   return run;
 }
 
@@ -106,7 +103,7 @@ void add_scan_command(CLI::App& app) {
       "  isoloop scan engine_256x256x128_uint8.raw --svg curves.svg\n"
       "  isoloop scan block.vdb --values 100 --from -2 --to 2 --csv curves.csv\n"
       "  isoloop scan scan.raw --dims 512 512 300 --type i16 --from 0 --json -");
-  command.callback([flags] { scan(*flags); });
+  command.callback([flags] { on_threads(flags->threads, [&] { scan(*flags); }); });
 }
 
 }  // namespace isoloop

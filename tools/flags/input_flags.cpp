@@ -132,8 +132,9 @@ void add_description_flags(CLI::App& command, VolumeFlags& flags) {
   command
       .add_option_function<std::string>(
           "--resolution", [&flags](const std::string& typed) { take_resolution(typed, flags); },
-          "or their number along the mesh's longest side; auto (default, up to 256 cubed) doubles "
-          "it from 64 on until the voxels have the components, tunnels and cavities of the mesh")
+          "in place of --voxel: how many voxels lie along the mesh's longest side; auto, the "
+          "default, doubles them from 64 on until they have the components, tunnels and cavities "
+          "of the mesh, up to 1024 cubed in all, or 256 cubed where auto is not asked for")
       ->type_name("VOXELS|auto");
   command
       .add_option("--nan-as", flags.nan_as, "read NaN voxels as this value; else they are refused")
@@ -254,7 +255,7 @@ IsoLevel iso_level(const LevelFlags& flags, const Volume& volume, const ValueRan
     if (values.size() == 2) level.upper = values[1];
   } else if (volume.mask) {
     level.iso = 0.5;
-  } else if (!volume.level_set) {
+  } else if (!volume.level_set && !flags.iso_is_open) {
     throw InvalidArgument("--iso is required: the file is no level set; " + values_text(range) +
                           "; --iso auto takes what isoloop scan proposes");
   }

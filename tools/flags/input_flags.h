@@ -44,6 +44,7 @@ struct LevelFlags {
   std::string topology = "trilinear";
   std::string connectivity{};  // of a mask's inside: "6", "18", "26", or empty: as `topology` says
   bool open_boundary = false;
+  bool iso_is_open = false;  // where `iso` is empty, a value is settled later
 };
 
 /// Adds --max-memory, for parse_bytes(). `size` must outlive the parse.

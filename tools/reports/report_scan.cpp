@@ -72,7 +72,7 @@ Json plateau_of(const Scan& scan, const Plateau& plateau) {
 }
 
 Json proposer_json(const ScanRun& run) {
-  if (!run.scan.proposed || !labels_text(run).empty()) return {};
+  if (!run.scan.proposed) return {};
   return run.scan.by == ProposedBy::plateau ? "plateau" : "otsu";
 }
 
@@ -147,7 +147,7 @@ void write_scan_json(std::ostream& out, const ScanRun& run) {
   write_list(out, "plateaus", scan.plateaus,
              [&scan](const Plateau& plateau) { return plateau_of(scan, plateau); });
   const auto iso_at = [&](std::optional<std::size_t> row) {
-    return row && labels_text(run).empty() ? Json(scan.rows[*row].iso).dump() : "null";
+    return row ? Json(scan.rows[*row].iso).dump() : "null";
   };
   out << ",\n  \"ignored_below\": " << scan.ignored_below
       << ",\n  \"proposed_iso\": " << iso_at(scan.proposed)

@@ -14,6 +14,16 @@
 namespace isoloop {
 namespace {
 
+void set_sizes(LoopFilter& filter, const LoopsInput& input, const Volume& volume) {
+  const auto set = [&](double& size, const std::string& text, const std::string& flag) {
+    if (!text.empty()) size = length_in(parse_length(flag, text), volume, flag);
+  };
+  set(filter.min_size, input.min_size, "--min-size");
+  set(filter.max_size, input.max_size, "--max-size");
+  if (filter.min_size > filter.max_size)
+    throw InvalidArgument("--min-size and --max-size leave nothing to report");
+}
+
 LoopsRun found_in(RunInput volume, const LoopsInput& input, const Progress& progress) {
   const PairOptions pair = pair_options(input.engine);
   const Boundary boundary = boundary_of(input.level);
@@ -25,12 +35,7 @@ LoopsRun found_in(RunInput volume, const LoopsInput& input, const Progress& prog
   run.refinement = pair.refinement;
   run.tighten = tighten;
   run.filter = input.filter;
-  if (!input.min_size.empty())
-    run.filter.min_size =
-        length_in(parse_length("--min-size", input.min_size), run.volume, "--min-size");
-  if (!input.max_size.empty())
-    run.filter.max_size =
-        length_in(parse_length("--max-size", input.max_size), run.volume, "--max-size");
+  set_sizes(run.filter, input, run.volume);
   run.analysis = analyze(voxels_of(run), run.level,
                          {.boundary = boundary,
                           .geodesic = run.geodesic,

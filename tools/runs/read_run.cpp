@@ -23,7 +23,8 @@ namespace {
 /// What the flags say; with --iso auto what the voxels suggest, and `run` says so.
 IsoLevel level_of(LevelFlags flags, RunInput& run) {
   if (flags.iso != "auto") return iso_level(flags, run.volume, run.range);
-  flags.iso = "0";  // stands in until a value is chosen
+  flags.iso.clear();
+  flags.iso_is_open = true;
   run.level = iso_level(flags, run.volume, run.range);
   const ChosenIso chosen = choose_iso(run);
   run.iso_choice = chosen.how;

@@ -92,7 +92,7 @@ IgnoredSize parse_ignored_size(std::string_view text) {
 
 Scan scan_of(const RunInput& run, const std::vector<double>& isos, const Progress& progress,
              const IgnoredSize& ignored) {
-  return about_file(run.file, [&] {
+  Scan scan = about_file(run.file, [&] {
     return scan_and_propose(voxels_of(run), isos,
                             {.inside = run.level.inside,
                              .topology = run.level.topology,
@@ -101,6 +101,8 @@ Scan scan_of(const RunInput& run, const std::vector<double>& isos, const Progres
                              .progress = progress,
                              .max_bytes = run.cost.max_bytes});
   });
+  if (!labels_text(run).empty()) scan.proposed = scan.otsu = scan.valley = std::nullopt;
+  return scan;
 }
 
 std::string proposal_text(const Scan& scan) {

@@ -34,7 +34,7 @@ IgnoredSize parse_ignored_size(std::string_view text);
 std::vector<double> scan_values(const ScanRange& range, const AnyGridView& grid,
                                 const ValueRange& voxels);
 
-/// The counts at `isos`, which ascend, and the iso value that they propose.
+/// The counts at `isos`, which ascend, and the iso value that they propose; none for label maps.
 Scan scan_of(const RunInput& run, const std::vector<double>& isos, const Progress& progress,
              const IgnoredSize& ignored = {});
 

@@ -65,12 +65,12 @@ TEST(ReportScan, TableSaysWhyNothingIsProposed) {
   run.scan.proposed.reset();
   EXPECT_NE(text_of(run, write_scan_table).find("no iso value is proposed: all voxels"),
             std::string::npos);
+  EXPECT_TRUE(nlohmann::json::parse(text_of(run, write_scan_json))["proposed_iso"].is_null());
   run = scanned_run();
   run.range = {0, 3, {0, 1, 3}};
   const std::string table = text_of(run, write_scan_table);
   EXPECT_NE(table.find("no iso value is proposed"), std::string::npos);
   EXPECT_NE(table.find("0, 1, 3 alone, as in a label map: --label N"), std::string::npos) << table;
-  EXPECT_TRUE(nlohmann::json::parse(text_of(run, write_scan_json))["proposed_iso"].is_null());
 }
 
 TEST(ReportScan, CsvHasALineForEachIsoValue) {
