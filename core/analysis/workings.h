@@ -23,8 +23,8 @@ struct WorkedSide {
   Z2Basis border_classes;
 };
 
-/// Where M has no loops there are no complexes. VoxelSides and edges stay where they are: the
-/// complexes refer to them.
+/// Where M has no loops there are no complexes. The sides of the voxels and the cut edges stay
+/// where they are in memory: the complexes refer to them.
 struct Workings {
   std::unique_ptr<const VoxelSides> sides;
   std::unique_ptr<const EdgeIndex> edges;

@@ -24,8 +24,8 @@ inline std::uint64_t order_key(float size, std::uint32_t piece) {
   return std::uint64_t{std::bit_cast<std::uint32_t>(size)} << 32 | piece;
 }
 
-/// Sorts keys whose pieces ascend: by the sizes alone, in place of equal ones, eleven bits at a
-/// time.
+/// Sorts keys whose pieces ascend. It looks at the sizes alone, eleven bits at a time: keys of
+/// equal sizes stay in the order in which they come, which is that of their pieces.
 inline void sort_keys(std::vector<std::uint64_t>& keys) {
   constexpr int digits = 3;
   constexpr int digit_bits = 11;  // 33 of a size's 32 in all

@@ -16,7 +16,7 @@ namespace isoloop {
 /// grid edge each, numbered by EdgeIndex; then, strictly within a cube each, the rings round
 /// tunnels (ring_vertex()).
 struct Surface : SurfaceMesh {
-  /// The grid edge (VoxelSides' lattice) that each of the first vertices cuts.
+  /// The grid edge, of the lattice of the sides, that each of the first vertices cuts.
   std::vector<std::uint32_t> grid_edges;
   /// The cube of the lattice that holds each triangle; ascending.
   std::vector<std::uint32_t> triangle_cubes;

@@ -39,7 +39,8 @@ void Z2Vector::add(const Z2Vector& other) {
     add_listed(other.list_);
     return;
   }
-  // Of a list and bits: bits where the list takes no more words than it has elements beyond them.
+  // A list and bits come to a list only if the bits would have to grow by more words than the list
+  // has elements.
   const GeneratorSet& list = is_list() ? list_ : other.list_;
   const std::size_t words = is_list() ? other.bits_.size() : bits_.size();
   if (!list.empty() && list.back() / word_bits >= words + list.size()) {

@@ -74,16 +74,17 @@ struct ReadOptions {
   std::optional<CropBox> crop{};   // voxels to keep, counted as the volume is without; unset: all
 };
 
-/// Reads a .raw, .vdb, .nii, .nii.gz, .hdr, .nrrd, .nhdr, .mha, .mhd, .npy, .vti, .dcm, .tif, .png
-/// or .bmp file, a folder of slices, or a mesh (.stl, .ply, .obj, .off) that becomes a level set
-/// with voxels of options.voxel_size. Voxels keep their stored type unless the file scales them;
-/// the frame is what the file says (`index`: it says nothing, as .raw files). Of a .vdb file the
-/// volume is the box of the active voxels and the margin. The result holds no NaN; its notes say
-/// how the file was read, its warnings what to look at. With `crop` it is that part: of raw, NIfTI,
-/// NRRD, MetaImage and NumPy files (in C order) no other voxels are held in memory. Throws
-/// InvalidArgument (options that do not fit the file, such as `crop` for a mesh), LimitExceeded
-/// (more voxels than max_bytes allows; before they are asked for), and InvalidInput (a file that is
-/// missing, of another kind, damaged, or that holds NaN while nan_as is unset).
+/// Reads a .raw, .vdb, .nii, .hdr or .img (of a pair; all three also with .gz behind), .nrrd,
+/// .nhdr, .mha, .mhd, .npy, .vti, .dcm, .tif, .tiff, .png or .bmp file, a folder of slices, or a
+/// mesh (.stl, .ply, .obj, .off) that becomes a level set with voxels of options.voxel_size. Voxels
+/// keep their stored type unless the file scales them; the frame is what the file says (`index`: it
+/// says nothing, as .raw files). Of a .vdb file the volume is the box of the active voxels and the
+/// margin. The result holds no NaN; its notes say how the file was read, its warnings what to look
+/// at. With `crop` it is that part: of raw, NIfTI, NRRD, MetaImage and NumPy files (in C order) no
+/// other voxels are held in memory. Throws InvalidArgument (options that do not fit the file, such
+/// as `crop` for a mesh), LimitExceeded (more voxels than max_bytes allows; before they are asked
+/// for), and InvalidInput (a file that is missing, of another kind, damaged, or that holds NaN
+/// while nan_as is unset).
 Volume read_volume(const std::filesystem::path& path, const ReadOptions& options = {});
 
 }  // namespace isoloop

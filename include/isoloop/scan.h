@@ -19,7 +19,7 @@ struct ScanOptions {
   Topology topology = Topology::trilinear;
   /// Voxels: components and cavities of fewer, and tunnels narrower than about half the side of a
   /// cube of so many, do not break a plateau. Unset: 0, and where nothing is stable then, 64, 512
-  /// and 4096, as long as that is less than a thousandth of the grid.
+  /// and 4096, as long as that is at most a thousandth of the grid.
   std::optional<std::int64_t> ignore_below{};
   /// The same as a share of the largest component at Otsu's value, above 0 and below 1. Not with
   /// ignore_below.
@@ -36,7 +36,11 @@ struct ScanRow {
   std::int64_t euler = 0;  // of M
   std::int64_t genus = 0;  // of M, all components together: b1
   std::int64_t inside_voxels = 0;
-  Betti large{};  // what is left of `betti` when what is below Scan::ignored_below is set aside
+  /// What is left of `betti` when what is below Scan::ignored_below is set aside: components and
+  /// cavities of so many voxels and more, and the tunnels of the grid of means over blocks of
+  /// voxels, which may be more than those of the grid itself. A block's side is half that of a cube
+  /// of so many voxels; where that is less than two, all tunnels are left.
+  Betti large{};
 };
 
 /// Most iso values in one scan.
@@ -74,10 +78,10 @@ struct Scan {
   ProposedBy by = ProposedBy::nothing;
 };
 
-/// Counts at each of `iso_values` (strictly ascending, finite, no more than max_scan_values) in two
-/// passes over the voxels. Takes about 24 bytes a voxel, and 4 for each face whose corners' values
-/// can alternate. Deterministic: the same for any number of threads. Throws InvalidArgument (iso
-/// values, dimensions, sizes to ignore), InvalidInput (NaN in the grid), LimitExceeded over
+/// Counts at each of `iso_values` (strictly ascending, finite, no more than max_scan_values), all
+/// at once. Takes about 24 bytes a voxel, and 4 for each face whose corners' values can alternate.
+/// Deterministic: the same for any number of threads. Throws InvalidArgument (iso values,
+/// dimensions, sizes to ignore), InvalidInput (NaN in the grid), LimitExceeded over
 /// options.max_bytes, and SelfCheckFailed where the counts contradict each other.
 Scan scan(const AnyGridView& grid, std::span<const double> iso_values,
           const ScanOptions& options = {});

@@ -146,7 +146,8 @@ def read(
         Of a raw file whose name does not say them: voxels along each axis, "u8" to "f64", "little"
         or "big", bytes before the first voxel.
     spacing : float or 3 floats
-        Length per voxel along each axis; replaces what the file says of its place.
+        Length per voxel along each axis, in a unit of yours; replaces what the file says of its
+        place, and its unit with it. For raw files 1 by default.
     grid, frame, channel, series
         Which of several in a file or folder.
     affine : {"sform", "qform"}
@@ -160,8 +161,8 @@ def read(
     crop : three slices, or text
         The part to keep.
     voxel, resolution
-        Of a mesh: the length of voxels, in its unit, or their number along its longest side, or
-        "auto".
+        Of a mesh: the length of voxels, in its unit; or their number along its longest side, or
+        "auto", which doubles it from 64 on until voxels and mesh have the same counts.
     open_boundary : bool
         Leaves the layer of background round an OpenVDB grid away, as runs with an open boundary ask.
     max_memory : int or str
