@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/base/unset_vector.h"
@@ -12,6 +13,10 @@ namespace isoloop {
 struct CompressedRows {
   std::vector<std::uint32_t> first;  // size: rows + 1
   UnsetVector<std::uint32_t> values;
+
+  std::span<const std::uint32_t> operator[](std::uint32_t row) const {
+    return {values.data() + first[row], first[row + 1] - first[row]};
+  }
 };
 
 /// Collects values in two rounds over the same sequence: first count() each, then add() each. Both
@@ -29,5 +34,16 @@ class RowCollector {
   std::vector<std::uint32_t> cursor_;  // where the next value of the row goes
   UnsetVector<std::uint32_t> values_;
 };
+
+/// The rows of all (row, value) with which for_each calls its visitor, the same in both of two
+/// calls. It may do so from many threads.
+template <class ForEach>
+CompressedRows collected_rows(std::uint32_t rows, const ForEach& for_each) {
+  RowCollector collector(rows);
+  for_each([&](std::uint32_t row, std::uint32_t) { collector.count(row); });
+  collector.end_of_counting();
+  for_each([&](std::uint32_t row, std::uint32_t value) { collector.add(row, value); });
+  return collector.take();
+}
 
 }  // namespace isoloop

@@ -1,19 +1,6 @@
 #include "core/complex/flat_complex.h"
 
 namespace isoloop {
-namespace {
-
-template <class Edges>
-CompressedRows collected(std::uint32_t rows, const Edges& for_each_pair) {
-  RowCollector collector(rows);
-  for_each_pair([&](std::uint32_t row, std::uint32_t) { collector.count(row); });
-  collector.end_of_counting();
-  for_each_pair([&](std::uint32_t row, std::uint32_t value) { collector.add(row, value); });
-  return collector.take();
-}
-
-}  // namespace
-
 FlatComplex::FlatComplex(std::uint32_t cell_bound, std::uint32_t edge_bound,
                          std::span<const FlatPiece> pieces)
     : cell_bound_(cell_bound), first_segment_{0} {
@@ -22,8 +9,8 @@ FlatComplex::FlatComplex(std::uint32_t cell_bound, std::uint32_t edge_bound,
     for (std::uint32_t piece = 0; piece < count; ++piece)
       for (const std::uint32_t edge : pieces[piece].edges) visit(piece, edge);
   };
-  borders_ = collected(count, for_each_incidence);
-  rings_ = collected(edge_bound, [&](const auto& visit) {
+  borders_ = collected_rows(count, for_each_incidence);
+  rings_ = collected_rows(edge_bound, [&](const auto& visit) {
     for_each_incidence([&](std::uint32_t piece, std::uint32_t edge) { visit(edge, piece); });
   });
   for (const FlatPiece& piece : pieces) {

@@ -42,17 +42,15 @@ class FlatComplex {
   template <class Visit>
   void for_each_edge(std::uint32_t, const Visit& visit) const {
     for (std::uint32_t edge = 0; edge < edge_bound(); ++edge)
-      if (rings_.first[edge] < rings_.first[edge + 1]) visit(edge);
+      if (!rings_[edge].empty()) visit(edge);
   }
 
   std::array<std::uint32_t, 2> cells(std::uint32_t piece) const { return cells_[piece]; }
 
-  std::span<const std::uint32_t> edges_of(std::uint32_t piece) const {
-    return row(borders_, piece);
-  }
+  std::span<const std::uint32_t> edges_of(std::uint32_t piece) const { return borders_[piece]; }
 
   /// Ascending.
-  std::span<const std::uint32_t> ring(std::uint32_t edge) const { return row(rings_, edge); }
+  std::span<const std::uint32_t> ring(std::uint32_t edge) const { return rings_[edge]; }
 
   std::span<const std::array<std::uint32_t, 2>> segments(std::uint32_t piece) const {
     return {segments_.data() + first_segment_[piece],
@@ -60,10 +58,6 @@ class FlatComplex {
   }
 
  private:
-  static std::span<const std::uint32_t> row(const CompressedRows& rows, std::uint32_t r) {
-    return {rows.values.data() + rows.first[r], rows.first[r + 1] - rows.first[r]};
-  }
-
   std::uint32_t cell_bound_;
   std::vector<std::array<std::uint32_t, 2>> cells_;  // by piece
   CompressedRows borders_;                           // edges, by piece

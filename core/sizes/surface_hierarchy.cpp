@@ -55,18 +55,13 @@ std::vector<std::uint32_t> parents(const ClusterLevel& level, const EdgeGraph& n
 /// Of each of `count` parents, those of the neighbours of its children.
 CompressedRows neighbors_of(const EdgeGraph& graph, const std::vector<std::uint32_t>& parent,
                             std::uint32_t count) {
-  const auto for_each_arc = [&](const auto& visit) {
+  return collected_rows(count, [&](const auto& visit) {
     tbb::parallel_for(std::uint32_t{0}, graph.vertex_count(), [&](std::uint32_t c) {
       graph.for_each_out_edge(c, [&](std::uint32_t next, std::uint32_t) {
         if (parent[c] != parent[next]) visit(parent[c], parent[next]);
       });
     });
-  };
-  RowCollector collector(count);
-  for_each_arc([&](std::uint32_t from, std::uint32_t) { collector.count(from); });
-  collector.end_of_counting();
-  for_each_arc([&](std::uint32_t from, std::uint32_t to) { collector.add(from, to); });
-  return collector.take();
+  });
 }
 
 }  // namespace
