@@ -43,6 +43,33 @@ std::optional<Side> interior_tunnel(const CornerLevels& levels);
 /// one side that whose diagonal the tunnel runs along.
 std::optional<int> tunnel_hub(const CubeCut& cut, const CornerLevels& levels);
 
+/// How the ambiguous faces of a cube are decided: bit f is face f.
+struct DecidedFaces {
+  unsigned ambiguous = 0;
+  unsigned joined = 0;  // the inside corners of these
+};
+
+/// `inside`: as cube_cut() wants it. `level_at(corner)` is asked at ambiguous faces alone.
+template <class LevelAt>
+DecidedFaces decide_faces(std::uint8_t inside, const LevelAt& level_at) {
+  DecidedFaces decided;
+  for (int face = 0; face < 6; ++face) {
+    const auto ring = face_ring(face);
+    unsigned bits = 0;
+    for (int i = 0; i < 4; ++i) bits |= (inside >> ring[i] & 1U) << i;
+    if (!is_ambiguous(bits)) continue;
+    decided.ambiguous |= 1U << face;
+    std::array<double, 4> levels{};
+    for (int i = 0; i < 4; ++i) levels[i] = level_at(int{ring[i]});
+    if (inside_is_joined(levels)) decided.joined |= 1U << face;
+  }
+  return decided;
+}
+
+/// How M cuts a cube with these levels, as cube_cut() has it where its parity is even. `tunnels`:
+/// whether those of the interpolant count.
+const CubeCut& cut_with(const CornerLevels& levels, bool tunnels);
+
 /// The ring round a tunnel, in shares of the cube's edges: points on the interpolant's iso-surface
 /// unless they would come closer than `least_share` to the cube's faces, or than twice that to each
 /// other along an axis. Vertex a of it lies towards the hub's neighbour along axis a.

@@ -146,38 +146,22 @@ void mark_inside(const GridView<T>& grid, const IsoLevel& level, VoxelSides& sid
   });
 }
 
-struct FaceBits {
-  unsigned ambiguous = 0;  // bit f: face f of the cube
-  unsigned joined = 0;
-};
-
 /// Reads an ambiguous face's values; it never leaves the grid: of two neighbours one is inside.
 template <class T>
-FaceBits decide_faces(const GridView<T>& grid, const IsoLevel& level, const Lattice& lattice,
+DecidedFaces faces_of(const GridView<T>& grid, const IsoLevel& level, const Lattice& lattice,
                       const std::array<std::uint32_t, 3>& p, std::uint8_t corners) {
-  FaceBits decided;
-  for (int face = 0; face < 6; ++face) {
-    const auto ring = face_ring(face);
-    unsigned bits = 0;
-    for (int i = 0; i < 4; ++i) bits |= (corners >> ring[i] & 1U) << i;
-    if (!is_ambiguous(bits)) continue;
-    decided.ambiguous |= 1U << face;
-    std::array<double, 4> levels{};
-    for (int i = 0; i < 4; ++i) {
-      const std::int64_t x = lattice.first[0] + p[0] + (ring[i] & 1);
-      const std::int64_t y = lattice.first[1] + p[1] + (ring[i] >> 1 & 1);
-      const std::int64_t z = lattice.first[2] + p[2] + (ring[i] >> 2 & 1);
-      const T value = grid.values[x + grid.dims[0] * (y + grid.dims[1] * z)];
-      levels[i] = deciding_level(level_of(value, level), level.topology);
-    }
-    if (inside_is_joined(levels)) decided.joined |= 1U << face;
-  }
-  return decided;
+  return decide_faces(corners, [&](int corner) {
+    const std::int64_t x = lattice.first[0] + p[0] + (corner & 1);
+    const std::int64_t y = lattice.first[1] + p[1] + (corner >> 1 & 1);
+    const std::int64_t z = lattice.first[2] + p[2] + (corner >> 2 & 1);
+    const T value = grid.values[x + grid.dims[0] * (y + grid.dims[1] * z)];
+    return deciding_level(level_of(value, level), level.topology);
+  });
 }
 
 /// A face on the far border of the box is no cube's lower face: the cube before it decides it. It
 /// can be ambiguous only where the boundary is open.
-void mark_far_faces(const FaceBits& faces, const std::array<std::uint32_t, 3>& p,
+void mark_far_faces(const DecidedFaces& faces, const std::array<std::uint32_t, 3>& p,
                     VoxelSides& sides) {
   const Lattice& lattice = sides.lattice;
   for (int a = 0; a < 3; ++a) {
@@ -208,7 +192,7 @@ void mark_cubes(const GridView<T>& grid, const IsoLevel& level, VoxelSides& side
         const std::uint32_t v = lattice.vertex(x, y, z);
         const std::uint8_t corners = inside_corners(sides, v);
         if (corners == 0 || corners == 255) continue;
-        const FaceBits faces = decide_faces(grid, level, lattice, {x, y, z}, corners);
+        const DecidedFaces faces = faces_of(grid, level, lattice, {x, y, z}, corners);
         unsigned flags = VoxelSides::is_cut;
         for (int a = 0; a < 3; ++a)
           flags |= (faces.joined >> (2 * a) & 1U) * VoxelSides::lower_face_joined << a;
