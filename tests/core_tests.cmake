@@ -7,6 +7,7 @@ isoloop_add_tests(isoloop_core_tests
     core/sizes/bounded_search_test.cpp
     core/sizes/bucket_queue_test.cpp
     core/loops/certificate_test.cpp
+    core/repair/change_effect_test.cpp
     core/repair/homology_map_test.cpp
     core/sizes/closest_test.cpp
     core/cube/connectivity_test.cpp
@@ -45,6 +46,7 @@ isoloop_add_tests(isoloop_core_tests
     core/scan/plateau_test.cpp
     core/scan/proposal_test.cpp
     core/scan/sized_sets_test.cpp
+    core/repair/repair_round_test.cpp
     core/repair/repair_test.cpp
     core/base/compressed_rows_test.cpp
     core/base/run_both_test.cpp

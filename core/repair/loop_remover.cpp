@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <numbers>
 #include <set>
@@ -10,62 +9,38 @@
 
 #include "core/grid/level.h"
 #include "core/loops/certificate.h"
+#include "core/repair/change_effect.h"
+#include "core/repair/local_surface.h"
 
 namespace isoloop {
 namespace {
 
 constexpr int value_styles = 3;
-constexpr double next_to_iso = 0.01;      // of a distance from iso that is usual, or the voxel's
-constexpr std::size_t most_shifted = 24;  // voxels beside a loop
-constexpr std::size_t few = 27;         // voxels that each severed part may have more than the cut
-constexpr std::size_t patience = 6000;  // voxels of the sets that may fail before the last resort
+constexpr double next_to_iso = 0.01;     // of a distance from iso that is usual, or the voxel's
+constexpr std::size_t most_beside = 24;  // voxels beside a loop that are tried one by one
+constexpr double tiny = 12.0;            // steps of a loop that is one of thousands
+constexpr std::size_t most_near = 16;    // changes that are looked at with one beside them
+constexpr std::size_t few = 27;          // voxels that each severed part may have more than the cut
+constexpr std::size_t patience = 6000;   // voxels of the sets that may fail before the last resort
+
+/// Whether what bounded within B before does so now: the parts now are shares of those before.
+bool refines(const LocalSurface& now, const LocalSurface& before) {
+  std::map<std::uint32_t, std::uint32_t> whole;
+  for (std::size_t i = 0; i < now.part_of_segment.size(); ++i)
+    if (whole.try_emplace(now.part_of_segment[i], before.part_of_segment[i]).first->second !=
+        before.part_of_segment[i])
+      return false;
+  return true;
+}
 
 }  // namespace
 
-LoopSite site_of(const Workings& workings, const Loop& loop) {
-  const Surface& surface = workings.analysis.surface;
-  const Side side = side_of(loop.kind);
-  LoopSite site;
-  site.kind = loop.kind;
-  site.other = loop.generators;
-  site.crossing = workings.on(side).border_classes.coordinates(site.other).value();
-  site.length = loop.length;
-  for (const std::vector<Vec3>& points : drawn_curves(surface, loop))
-    for (std::size_t i = 0; i < points.size(); ++i)
-      site.steps += distance(points[i], points[(i + 1) % points.size()]);
-  std::map<std::uint32_t, std::vector<Curve>> by_component;
-  for (const Curve& curve : loop.curves)
-    by_component[surface.component_of_vertex[curve.front()]].push_back(curve);
-  std::size_t nontrivial = 0;
-  for (const auto& [component, curves] : by_component)
-    if (!class_of(surface, workings.classes, curves).empty()) ++nontrivial;
-  site.spans_components = nontrivial > 1;
-  for (const Curve& curve : loop.curves)
-    for (const std::uint32_t vertex : curve)
-      if (vertex < surface.grid_edges.size()) site.edges.push_back(surface.grid_edges[vertex]);
-  return site;
-}
-
-std::uint32_t vertex_of(std::size_t voxel, const Index3& dims, const Lattice& lattice) {
-  const auto at = static_cast<std::int64_t>(voxel);
-  return *lattice.vertex_at({at % dims[0], at / dims[0] % dims[1], at / dims[0] / dims[1]});
-}
-
-bool cross_oddly(const LoopSite& a, const LoopSite& b) {
-  GeneratorSet both;
-  std::set_intersection(a.crossing.begin(), a.crossing.end(), b.other.begin(), b.other.end(),
-                        std::back_inserter(both));
-  return both.size() % 2 == 1;
-}
-
-LoopRemover::LoopRemover(const Workings& workings, const IsoLevel& level, VoxelValues& values,
-                         std::uint64_t max_bytes)
+LoopRemover::LoopRemover(const Workings& workings, const IsoLevel& level, VoxelValues& values)
     : workings_(workings),
       level_(level),
       values_(values),
-      max_bytes_(max_bytes),
-      genus_(workings.analysis.surface.genus()),
-      betti_(workings.analysis.betti),
+      volume_(*workings.sides, level, values),
+      search_(volume_),
       changed_(workings.sides->lattice.vertex_count()),
       fixed_(workings.sides->lattice.vertex_count()) {
   const Lattice& lattice = workings.sides->lattice;
@@ -100,17 +75,126 @@ bool LoopRemover::is_inside(std::size_t voxel) const {
   return level_of(values_.at(voxel), level_) >= 0.0;
 }
 
-std::optional<std::vector<VoxelChange>> LoopRemover::propose(const LoopSite& loop) {
+std::optional<std::vector<VoxelChange>> LoopRemover::propose(const LoopSite& loop, Effort effort) {
   if (loop.spans_components) return std::nullopt;
   const Side side = side_of(loop.kind);
   const MembraneQuery query{loop.crossing, loop.edges, fixed_, changed_};
-  if (auto change = thin_change(side, query, reaches_for(loop.steps))) return change;
   std::vector<std::uint32_t> spanned = finder(side).spanned(query);
+  if (effort == Effort::few_voxels) {
+    auto change = small_change(loop, spanned);
+    return change ? change : shift(loop, true);
+  }
+  const bool surely = effort == Effort::membranes;
+  if (auto change = thin_change(loop, query, surely)) return change;
   for (int dilations = 0; dilations < 2; ++dilations) {
-    if (auto change = passing(side, spanned)) return change;
+    if (auto change = passing(loop, spanned, surely)) return change;
     spanned = dilated(side, spanned);
   }
-  return shift(loop);
+  return surely ? std::nullopt : shift(loop, false);
+}
+
+/// The changes whose cubes meet those at the vertices, those whose cubes meet these, and so on;
+/// nothing where they are many, or some lie on the border of the box.
+std::optional<std::vector<std::uint32_t>> LoopRemover::earlier_near(
+    const std::vector<std::uint32_t>& vertices) const {
+  const Lattice& lattice = workings_.sides->lattice;
+  std::vector<std::uint32_t> found;
+  std::vector<std::uint32_t> to_see = vertices;
+  while (!to_see.empty()) {
+    const std::uint32_t vertex = to_see.back();
+    to_see.pop_back();
+    if ((workings_.sides->cubes[vertex] & VoxelSides::on_border) != 0) return std::nullopt;
+    const Index3 voxel = lattice.voxel_at(vertex);
+    for (int n = 0; n < 125; ++n) {
+      const auto beside = lattice.vertex_at(
+          {voxel[0] + n % 5 - 2, voxel[1] + n / 5 % 5 - 2, voxel[2] + n / 25 - 2});
+      const auto at = beside ? changer_.find(*beside) : changer_.end();
+      if (at == changer_.end() || std::find(found.begin(), found.end(), at->second) != found.end())
+        continue;
+      found.push_back(at->second);
+      if (found.size() > most_near) return std::nullopt;
+      const std::vector<std::uint32_t>& others = earlier_[at->second].vertices;
+      to_see.insert(to_see.end(), others.begin(), others.end());
+    }
+  }
+  return found;
+}
+
+/// Whether the change, at those vertices, removes the loop for sure: HomologyMap will say so.
+///
+/// With the changes near by it lies within cubes B, where all is removed, and no more: M is spheres
+/// less discs there, shares of the parts that it was, whatever crosses B's border bounds now, and
+/// its classes are sums of the loops' that were removed. So these are as many as the genus fell by,
+/// and half of what B held.
+bool LoopRemover::removes_surely(const LoopSite& loop, const std::vector<std::uint32_t>& vertices,
+                                 const std::vector<VoxelChange>& change) {
+  const auto near = earlier_near(vertices);
+  if (!near) return false;
+  std::vector<std::uint32_t> all = vertices;
+  for (const std::uint32_t n : *near)
+    all.insert(all.end(), earlier_[n].vertices.begin(), earlier_[n].vertices.end());
+  for (const VoxelChange& voxel : change) volume_.set(voxel.voxel, voxel.after);
+  const LocalSurface local = local_surface(workings_, volume_, all);
+  for (const VoxelChange& voxel : change) volume_.set(voxel.voxel, voxel.before);
+  if (local.has_handle || !refines(local, local_surface(workings_, all))) return false;
+  const GeneratorSet own = joint_class(workings_, loop);
+  Z2Basis removed;
+  removed.add(own);
+  for (const std::uint32_t n : *near)
+    if (!earlier_[n].is_sure || !removed.add(earlier_[n].removed)) return false;
+  Z2Basis bounding;
+  for (const GeneratorSet& part : local.parts) bounding.add(part);
+  for (const GeneratorSet& curve : local.curves)
+    if (!bounding.remainder(curve).empty() || !removed.remainder(curve).empty()) return false;
+  return bounding.remainder(own).empty() || lies_within(loop, local.cubes);
+}
+
+/// Whether the loop runs through no cube but these, which ascend: all that its vertices lie in are
+/// among them.
+bool LoopRemover::lies_within(const LoopSite& loop, const std::vector<std::uint32_t>& cubes) const {
+  const Lattice& lattice = workings_.sides->lattice;
+  const auto is_inner = [&](std::uint32_t edge) {
+    const auto [b, c] = cross_axes(static_cast<int>(edge % 3));
+    const std::uint32_t along_b = lattice.stride[static_cast<std::size_t>(b)];
+    const std::uint32_t along_c = lattice.stride[static_cast<std::size_t>(c)];
+    for (const std::uint32_t back : {0U, along_b, along_c, along_b + along_c})
+      if (!std::binary_search(cubes.begin(), cubes.end(), edge / 3 - back)) return false;
+    return true;
+  };
+  return std::all_of(loop.edges.begin(), loop.edges.end(), is_inner) &&
+         std::all_of(loop.cubes.begin(), loop.cubes.end(), [&](std::uint32_t cube) {
+           return std::binary_search(cubes.begin(), cubes.end(), cube);
+         });
+}
+
+/// One voxel, two in one cube, or all of `spanned`, the corners of the surface that the labels
+/// span.
+std::optional<std::vector<VoxelChange>> LoopRemover::small_change(
+    const LoopSite& loop, const std::vector<std::uint32_t>& spanned) {
+  const Side side = side_of(loop.kind);
+  std::vector<std::uint32_t> beside = vertices_beside(loop, side);
+  if (beside.size() > most_beside) return std::nullopt;
+  if (spanned.size() <= most_beside) beside.insert(beside.end(), spanned.begin(), spanned.end());
+  std::sort(beside.begin(), beside.end());
+  beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
+  std::erase_if(beside, [&](std::uint32_t vertex) { return changed_[vertex]; });
+  for (const std::uint32_t vertex : beside)
+    if (auto change = passing(loop, {vertex}, true)) return change;
+  for (const std::uint32_t vertex : dilated(side, beside))
+    if (auto change = passing(loop, {vertex}, true)) return change;
+  const Lattice& lattice = workings_.sides->lattice;
+  for (std::size_t i = 0; i < beside.size(); ++i)
+    for (std::size_t j = i + 1; j < beside.size(); ++j) {
+      const auto p = lattice.position(beside[i]);
+      const auto q = lattice.position(beside[j]);
+      bool share_cube = true;
+      for (std::size_t a = 0; a < 3; ++a)
+        share_cube = share_cube && std::max(p[a], q[a]) - std::min(p[a], q[a]) <= 1;
+      if (!share_cube) continue;
+      if (auto change = passing(loop, {beside[i], beside[j]}, true)) return change;
+    }
+  if (spanned.size() < 3 || spanned.size() > most_beside) return std::nullopt;
+  return passing(loop, spanned, true);
 }
 
 /// How far to look for membranes from a loop of so many steps, in the order to be tried.
@@ -128,25 +212,29 @@ std::vector<std::uint32_t> LoopRemover::reaches_for(double steps) const {
   return distinct;
 }
 
-std::optional<std::vector<VoxelChange>> LoopRemover::thin_change(
-    Side side, const MembraneQuery& query, std::vector<std::uint32_t> reaches) {
+std::optional<std::vector<VoxelChange>> LoopRemover::thin_change(const LoopSite& loop,
+                                                                 const MembraneQuery& query,
+                                                                 bool surely) {
+  const Side side = side_of(loop.kind);
+  std::vector<std::uint32_t> reaches = reaches_for(loop.steps);
+  const bool is_tiny = surely && loop.steps < tiny;
   std::optional<std::vector<VoxelChange>> change;
   std::set<std::vector<std::uint32_t>> tried;
   std::size_t spent = 0;
   const auto is_done = [&](const std::vector<std::uint32_t>& thin) {
     if (!tried.insert(thin).second) return false;
     spent += thin.size();
-    change = passing(side, thin);
+    change = passing(loop, thin, surely);
     if (!change) {
       const auto more = finder(side).with_severed(query, thin, thin.size() + few);
-      if (tried.insert(more).second) change = passing(side, more);
+      if (tried.insert(more).second) change = passing(loop, more, surely);
     }
     return change || spent > patience;
   };
   for (const bool clear_islands : {false, true}) {
     std::vector<std::uint32_t> sufficient;
     for (const std::uint32_t reach : reaches) {
-      const auto is_found = finder(side).thin(query, {reach, clear_islands}, is_done);
+      const auto is_found = finder(side).thin(query, {reach, is_tiny, clear_islands}, is_done);
       if (!is_found) continue;
       if (*is_found) return change;
       sufficient.push_back(reach);
@@ -177,12 +265,14 @@ std::vector<std::uint32_t> LoopRemover::dilated(Side side,
   return all;
 }
 
+/// The vertices on the other side, if that removes the loop: `surely`, as removes_surely() tells.
 std::optional<std::vector<VoxelChange>> LoopRemover::passing(
-    Side side, const std::vector<std::uint32_t>& vertices) {
+    const LoopSite& loop, const std::vector<std::uint32_t>& vertices, bool surely) {
   if (vertices.empty()) return std::nullopt;
   for (int style = 0; style < value_styles; ++style) {
-    auto change = values_for(side, vertices, style);
-    if (change && removes_one(*change)) return change;
+    auto change = values_for(side_of(loop.kind), vertices, style);
+    if (change && removes_one(*change) && (!surely || removes_surely(loop, vertices, *change)))
+      return change;
   }
   return std::nullopt;
 }
@@ -243,19 +333,35 @@ std::optional<std::vector<VoxelChange>> LoopRemover::values_for(
   return change;
 }
 
+/// The ends, on that side before all changes, of the grid edges that the loop runs over, and the
+/// corners of its cubes. Ascending.
+std::vector<std::uint32_t> LoopRemover::vertices_beside(const LoopSite& loop, Side side) const {
+  const Lattice& lattice = workings_.sides->lattice;
+  std::vector<std::uint32_t> beside;
+  for (const std::uint32_t edge : loop.edges)
+    beside.insert(beside.end(), {edge / 3, edge / 3 + lattice.stride[edge % 3]});
+  for (const std::uint32_t cube : loop.cubes)
+    for (unsigned c = 0; c < 8; ++c) beside.push_back(lattice.corner(cube, c));
+  std::erase_if(beside, [&](std::uint32_t vertex) {
+    return fixed_[vertex] || !workings_.sides->is_on(side, vertex);
+  });
+  std::sort(beside.begin(), beside.end());
+  beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
+  return beside;
+}
+
 /// One voxel beside the loop stays on its side, but next to iso, or as far off as any near by.
-/// Where M runs through a cube in several sheets, that decides how they join.
-std::optional<std::vector<VoxelChange>> LoopRemover::shift(const LoopSite& loop) {
+/// Where M runs through a cube in several sheets, that decides how they join. `surely`: as
+/// removes_surely() tells.
+std::optional<std::vector<VoxelChange>> LoopRemover::shift(const LoopSite& loop, bool surely) {
   const bool values_decide =
       level_.topology == Topology::trilinear || level_.topology == Topology::simple;
   if (!values_decide) return std::nullopt;
-  std::vector<std::uint32_t> beside;
-  for (const std::uint32_t edge : loop.edges)
-    for (const std::uint32_t end : {edge / 3, edge / 3 + workings_.sides->lattice.stride[edge % 3]})
-      if (!fixed_[end]) beside.push_back(end);
+  std::vector<std::uint32_t> beside = vertices_beside(loop, Side::inside);
+  const std::vector<std::uint32_t> outside = vertices_beside(loop, Side::outside);
+  beside.insert(beside.end(), outside.begin(), outside.end());
   std::sort(beside.begin(), beside.end());
-  beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
-  if (beside.size() > most_shifted) return std::nullopt;
+  if (beside.size() > most_beside) return std::nullopt;
   for (const std::uint32_t vertex : beside) {
     const std::size_t voxel = voxel_of(vertex);
     const double most = greatest_magnitude(voxels_near({&vertex, 1}));
@@ -263,28 +369,31 @@ std::optional<std::vector<VoxelChange>> LoopRemover::shift(const LoopSite& loop)
       const auto after = values_.nearest(magnitude, is_inside(voxel), level_);
       if (!after || *after == values_.at(voxel)) continue;
       std::vector<VoxelChange> change{{voxel, values_.at(voxel), *after}};
-      if (removes_one(change)) return change;
+      if (removes_one(change) && (!surely || removes_surely(loop, {vertex}, change))) return change;
     }
   }
   return std::nullopt;
 }
 
 bool LoopRemover::removes_one(const std::vector<VoxelChange>& change) {
-  for (const VoxelChange& voxel : change) values_.set(voxel.voxel, voxel.after);
-  const Analysis counted = count_topology(values_.view(), level_, {.max_bytes = max_bytes_});
-  for (const VoxelChange& voxel : change) values_.set(voxel.voxel, voxel.before);
-  return counted.surface.genus() == genus_ - 1 && counted.betti.b0 == betti_.b0 &&
-         counted.betti.b2 == betti_.b2;
+  if (euler_effect(change, volume_) != 2) return false;
+  // M's components, one less than the parts of both sides, stay as many: so the genus falls by one.
+  return effect_of(change, volume_, search_) == ChangeEffect{.euler = 2};
 }
 
-void LoopRemover::apply(const std::vector<VoxelChange>& change) {
+void LoopRemover::apply(const LoopSite& loop, const std::vector<VoxelChange>& change) {
+  Earlier made{{}, joint_class(workings_, loop), false};
+  for (const VoxelChange& voxel : change)
+    made.vertices.push_back(vertex_of(voxel.voxel, values_.dims(), workings_.sides->lattice));
+  made.is_sure = removes_surely(loop, made.vertices, change);
   for (const VoxelChange& voxel : change) {
-    const bool was_inside = is_inside(voxel.voxel);
-    values_.set(voxel.voxel, voxel.after);
-    if (is_inside(voxel.voxel) != was_inside)
-      changed_[vertex_of(voxel.voxel, values_.dims(), workings_.sides->lattice)] = true;
+    const std::uint32_t vertex = vertex_of(voxel.voxel, values_.dims(), workings_.sides->lattice);
+    const bool was_inside = volume_.is_inside(vertex);
+    volume_.set(voxel.voxel, voxel.after);
+    if (volume_.is_inside(vertex) != was_inside) changed_[vertex] = true;
+    changer_[vertex] = static_cast<std::uint32_t>(earlier_.size());
   }
-  --genus_;
+  earlier_.push_back(std::move(made));
 }
 
 }  // namespace isoloop

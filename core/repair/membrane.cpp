@@ -6,12 +6,31 @@
 #include "core/repair/membrane_search.h"
 
 namespace isoloop {
-template <HoldsVoxels C>
+namespace {
 
+CompressedRows labels_by_generator(const DualPass& pass) {
+  return collected_rows(static_cast<std::uint32_t>(pass.killing.size()), [&](const auto& visit) {
+    for (std::uint32_t label = 0; label < pass.pool.count(); ++label)
+      for (const std::uint32_t generator : pass.pool.generators(label)) visit(generator, label);
+  });
+}
+
+CompressedRows pieces_by_label(const DualPass& pass) {
+  return collected_rows(pass.pool.count(), [&](const auto& visit) {
+    pass.labels.for_each([&](std::uint32_t piece, std::uint32_t label) { visit(label, piece); });
+  });
+}
+
+}  // namespace
+
+template <HoldsVoxels C>
 MembraneFinder<C>::MembraneFinder(const VoxelSides& sides, const C& complex, const DualPass& pass)
     : sides_(sides),
       complex_(complex),
       pass_(pass),
+      labels_with_(labels_by_generator(pass)),
+      pieces_with_(pieces_by_label(pass)),
+      is_odd_label_(pass.pool.count()),
       near_odd_(sides.lattice.vertex_count()),
       seen_(sides.lattice.vertex_count()),
       node_of_vertex_(sides.lattice.vertex_count(), none),
@@ -24,19 +43,23 @@ void MembraneFinder<C>::mark_odd_pieces(std::span<const std::uint32_t> crossing)
   crossing_ = asked;
   for (const std::uint32_t vertex : odd_corners_) near_odd_[vertex] = false;
   odd_corners_.clear();
-  odd_label_.assign(pass_.pool.count(), 0);
-  for (std::uint32_t label = 0; label < pass_.pool.count(); ++label)
-    for (const std::uint32_t generator : pass_.pool.generators(label))
-      if (std::find(crossing.begin(), crossing.end(), generator) != crossing.end())
-        odd_label_[label] ^= 1;
-  pass_.labels.for_each([&](std::uint32_t piece, std::uint32_t label) {
-    if (odd_label_[label] == 0) return;
-    for (const std::uint32_t corner : complex_.corners(piece)) {
-      if (near_odd_[corner]) continue;
-      near_odd_[corner] = true;
-      odd_corners_.push_back(corner);
+  for (const std::uint32_t label : odd_labels_) is_odd_label_[label] = false;
+  odd_labels_.clear();
+  for (const std::uint32_t generator : crossing)
+    for (const std::uint32_t label : labels_with_[generator]) {
+      is_odd_label_[label] = !is_odd_label_[label];
+      odd_labels_.push_back(label);
     }
-  });
+  std::sort(odd_labels_.begin(), odd_labels_.end());
+  odd_labels_.erase(std::unique(odd_labels_.begin(), odd_labels_.end()), odd_labels_.end());
+  std::erase_if(odd_labels_, [&](std::uint32_t label) { return !is_odd_label_[label]; });
+  for (const std::uint32_t label : odd_labels_)
+    for (const std::uint32_t piece : pieces_with_[label])
+      for (const std::uint32_t corner : complex_.corners(piece)) {
+        if (near_odd_[corner]) continue;
+        near_odd_[corner] = true;
+        odd_corners_.push_back(corner);
+      }
   std::sort(odd_corners_.begin(), odd_corners_.end());
 }
 

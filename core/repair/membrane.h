@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/compressed_rows.h"
 #include "core/complex/near_surface.h"
 #include "core/cube/voxel_sides.h"
 #include "core/engines/dual_pass.h"
@@ -25,6 +26,7 @@ struct MembraneQuery {
 /// How to look for it.
 struct MembraneOptions {
   std::uint32_t reach = 0;     // steps from the loop, each within one cell
+  bool is_near = false;        // do not look much farther than that for ways round
   bool clear_islands = false;  // keep off parts of the other side that the loop does not run along
 };
 
@@ -70,7 +72,7 @@ class MembraneFinder {
   void mark_odd_pieces(std::span<const std::uint32_t> crossing);
   std::vector<std::uint32_t> part_beside(const MembraneQuery& query, std::uint32_t start,
                                          std::uint32_t first_round, std::size_t most);
-  bool is_odd(std::uint32_t piece) const { return odd_label_[pass_.labels[piece]] != 0; }
+  bool is_odd(std::uint32_t piece) const { return is_odd_label_[pass_.labels[piece]]; }
   bool is_on_border(std::uint32_t vertex) const {
     return (sides_.cubes[vertex] & VoxelSides::on_border) != 0;
   }
@@ -78,8 +80,11 @@ class MembraneFinder {
   const VoxelSides& sides_;
   const C& complex_;
   const DualPass& pass_;
-  GeneratorSet crossing_;                   // that the three below are for
-  std::vector<char> odd_label_;             // by label
+  CompressedRows labels_with_;  // by generator
+  CompressedRows pieces_with_;  // by label
+  GeneratorSet crossing_;       // that the four below are for
+  std::vector<std::uint32_t> odd_labels_;
+  std::vector<bool> is_odd_label_;
   std::vector<std::uint32_t> odd_corners_;  // of odd pieces
   std::vector<bool> near_odd_;              // by vertex: among them
   std::vector<std::uint32_t> seen_;         // by vertex: the last search that saw it

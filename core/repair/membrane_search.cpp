@@ -14,6 +14,10 @@
 namespace isoloop {
 namespace {
 
+/// Vertices and cells of the rest that are seen: so many, and so many for each vertex of N.
+constexpr std::size_t far_enough = 20'000;
+constexpr std::size_t times_near = 50;
+
 constexpr std::size_t most_turns = 3;  // groups of parts that are tried either way round
 
 }  // namespace
@@ -118,18 +122,14 @@ bool MembraneFinder<C>::Search::expand(std::uint32_t vertex, std::vector<std::ui
       node_of(corner, true);
       next.push_back(corner);
     };
-    if (at.cube != none) {
-      for_each_corner(at, push);
-      return;
-    }
-    for (std::uint32_t v = 0; v < finder.sides_.lattice.vertex_count(); ++v)
-      if (finder.is_on_border(v) && is_here(v)) push(v);
+    // What goes on beyond the box is not followed there: whatever else comes to it joins its cell.
+    if (at.cube != none) for_each_corner(at, push);
   });
   return even;
 }
 
-/// Potentials on the rest, as far as it takes to join all its parts that meet N; false if the rest
-/// has an odd walk, or meets N from one side only.
+/// Potentials on the rest, as far as it takes to join all its parts that meet N, or as far as
+/// asked; false if that has an odd walk, or meets N from one side only.
 template <HoldsVoxels C>
 bool MembraneFinder<C>::Search::explore_rest() {
   std::vector<std::uint32_t> front;
@@ -156,6 +156,7 @@ bool MembraneFinder<C>::Search::explore_rest() {
     }
     return merged;
   };
+  const std::size_t most = far_enough + times_near * near.size();
   while (!front.empty()) {
     next.clear();
     for (const std::uint32_t vertex : front)
@@ -169,7 +170,7 @@ bool MembraneFinder<C>::Search::explore_rest() {
     const auto met = sides_met();
     const bool both =
         std::any_of(met.begin(), met.end(), [](const auto& part) { return part.second == 3U; });
-    if (both && roots.size() <= 1) break;
+    if ((both && roots.size() <= 1) || (search.is_near && nodes.size() > most)) break;
   }
   for (const auto& [root, sides] : sides_met())
     if (sides == 3U) parts.push_back({root, 0, false});

@@ -14,7 +14,6 @@
 #include "core/repair/homology_map.h"
 #include "core/repair/repair_round.h"
 #include "core/repair/voxel_values.h"
-
 namespace isoloop {
 namespace {
 
@@ -53,26 +52,35 @@ bool is_short(const LoopSite& site, const RepairRequest& request) {
   return site.length < std::max(limit, request.either);
 }
 
+/// What is left of the places where the loop runs, in the next analysis.
+void move_site(LoopSite& site, const Workings& before, const Workings& after) {
+  const auto moved = [&](std::uint32_t vertex) {
+    return after.sides->lattice.vertex_at(before.sides->lattice.voxel_at(vertex));
+  };
+  std::vector<std::uint32_t> edges;
+  for (const std::uint32_t edge : site.edges)
+    if (const auto end = moved(edge / 3); end && after.edges->is_cut(3 * *end + edge % 3))
+      edges.push_back(3 * *end + edge % 3);
+  site.edges = std::move(edges);
+  std::vector<std::uint32_t> cubes;
+  for (const std::uint32_t cube : site.cubes)
+    if (const auto lowest = moved(cube);
+        lowest && tunnel_in(*after.sides, *lowest) < after.sides->tunnels.size())
+      cubes.push_back(*lowest);
+  site.cubes = std::move(cubes);
+}
+
 /// The named loops that are left, as loops of the next analysis.
 std::vector<Target> carried(const std::vector<Target>& targets, const Workings& before,
                             const Workings& after, const HomologyMap& map) {
   std::vector<Target> left;
-  const Lattice& from = before.sides->lattice;
-  const Lattice& to = after.sides->lattice;
   for (Target target : targets) {
     const auto image = map.image(joint_class(before, target.site));
     if (!image || image->empty()) continue;
     const Side side = side_of(target.site.kind);
     target.site.other = split_class(after.classes, side, *image).other;
     target.site.crossing = after.on(side).border_classes.coordinates(target.site.other).value();
-    std::vector<std::uint32_t> edges;
-    for (const std::uint32_t edge : target.site.edges) {
-      const auto end = to.vertex_at(from.voxel_at(edge / 3));
-      if (!end) continue;
-      const std::uint32_t moved = 3 * *end + edge % 3;
-      if (after.edges->is_cut(moved)) edges.push_back(moved);
-    }
-    target.site.edges = std::move(edges);
+    move_site(target.site, before, after);
     left.push_back(std::move(target));
   }
   return left;
@@ -83,6 +91,7 @@ struct Plan {
   std::vector<Target> targets;  // to be removed
   std::int64_t least_genus = 0;
   std::vector<Target> spare;  // to be removed until the genus is least_genus
+  bool is_for_genus = false;  // no loop is asked for but by the genus
 };
 
 Plan plan_of(const RepairRound& round, const Workings& workings, std::vector<Target> named,
@@ -91,27 +100,49 @@ Plan plan_of(const RepairRound& round, const Workings& workings, std::vector<Tar
   plan.targets = std::move(named);
   for (const Target& loop : round.all())
     if (is_short(loop.site, request)) plan.targets.push_back(loop);
+  plan.is_for_genus = request.genus && plan.targets.empty();
   sort_by_length(plan.targets);
   plan.least_genus = workings.analysis.surface.genus();
   if (request.genus && *request.genus < plan.least_genus) {
     plan.least_genus = *request.genus;
-    plan.spare = round.all();
-    sort_by_length(plan.spare);
+    // Where all loops are to go, those come first that are easy to remove.
+    std::vector<Target>& wanted = plan.least_genus == 0 ? plan.targets : plan.spare;
+    wanted = round.all();
+    sort_by_length(wanted);
   }
   return plan;
 }
 
-/// Carries out as much of the plan as one analysis allows.
+constexpr std::size_t few_hard = 100;  // for which membranes take no longer than another analysis
+
+/// Carries out as much of the plan as one analysis allows. First what few voxels do, of all loops:
+/// where that removes most of many, another analysis sees the others apart from the changes.
+/// `last_resort`: where all else removes nothing, what may spoil others.
 void carry_out(const Plan& plan, RepairRound& round, const Workings& workings,
-               const RepairRequest& request, const Unwanted& unwanted) {
-  const auto go = [&](const Target& target) {
-    if (!round.is_left(target.site) || unwanted.contains(key_of(target))) return;
-    if (!round.remove(target, target.site.length < request.either)) round.fail(target);
+               const RepairRequest& request, const Unwanted& unwanted, bool last_resort) {
+  const auto try_each = [&](const std::vector<Target>& targets, Effort effort) {
+    std::vector<Target> hard;
+    for (const Target& target : targets)
+      if (round.is_left(target.site) && !unwanted.contains(key_of(target)) &&
+          !round.remove(target, target.site.length < request.either, effort))
+        hard.push_back(target);
+    return hard;
   };
-  for (const Target& target : plan.targets) go(target);
+  std::vector<Target> hard = try_each(plan.targets, Effort::few_voxels);
+  if (hard.size() <= few_hard || round.removed() < hard.size()) {
+    hard = try_each(hard, Effort::membranes);
+    hard = try_each(hard, Effort::across);
+  }
+  if (last_resort && round.removed() == 0) hard = try_each(hard, Effort::any);
+  for (const Target& target : hard) round.fail(target);
   const std::int64_t genus = workings.analysis.surface.genus();
-  for (const Target& target : plan.spare)
-    if (genus - static_cast<std::int64_t>(round.removed()) > plan.least_genus) go(target);
+  for (const Target& target : plan.spare) {
+    if (genus - static_cast<std::int64_t>(round.removed()) <= plan.least_genus) break;
+    std::vector<Target> one{target};
+    for (const Effort effort : {Effort::few_voxels, Effort::membranes, Effort::across, Effort::any})
+      if (effort != Effort::any || last_resort) one = try_each(one, effort);
+    if (!one.empty()) round.fail(target);
+  }
 }
 
 /// Whether the loops of two analyses are likely to be one.
@@ -132,15 +163,15 @@ class Repairer {
         now_(work_out_loops(grid, level, within(room_beside_voxels()))) {}
 
   Repair run() {
-    bool is_first = true;
-    while (true) {
-      RepairRound round(now_, level_, values_, repair_.rounds + 1, room_beside_now());
-      if (is_first) named_ = named_targets(round.all(), request_);
+    for (bool is_first = true;; is_first = false) {
+      RepairRound round(now_, level_, values_, repair_.rounds + 1);
+      if (is_first) {
+        named_ = named_targets(round.all(), request_);
+        repair_.before = now_.analysis;
+      }
       const Plan plan = plan_of(round, now_, named_, request_);
-      if (is_first) repair_.before = now_.analysis;
-      is_first = false;
       if (plan.targets.empty() && plan.spare.empty()) break;
-      step(plan, round);
+      if (!step(plan, round)) break;
     }
     repair_.after = std::move(now_.analysis);
     note_changes();
@@ -148,28 +179,40 @@ class Repairer {
   }
 
  private:
-  /// Removes what one analysis allows. A loop whose removal alone spoils others is put off, in this
-  /// analysis and those after it, until there is nothing else to do.
-  void step(const Plan& plan, RepairRound& first_try) {
+  /// Removes what one analysis allows; false if that is nothing. A loop whose removal
+  /// alone spoils others is put off, in this analysis and those after it, until there is nothing
+  /// else to do.
+  bool step(const Plan& plan, RepairRound& first_try) {
     Unwanted spoilers;
     Unwanted put_off;
     for (const Target& target : put_off_)
       for (const std::vector<Target>* wanted : {&plan.targets, &plan.spare})
         for (const Target& loop : *wanted)
           if (is_at_the_same_place(target, loop)) put_off.insert(key_of(loop));
+    bool last_resort = false;
     const auto outcome_of = [&](RepairRound& round) {
       Unwanted unwanted = spoilers;
       unwanted.insert(put_off.begin(), put_off.end());
-      carry_out(plan, round, now_, request_, unwanted);
+      carry_out(plan, round, now_, request_, unwanted, last_resort);
       return round.finish();
     };
     Outcome outcome = outcome_of(first_try);
-    while (!accept_most(outcome, spoilers)) {
-      RepairRound round(now_, level_, values_, repair_.rounds + 1, room_beside_now());
+    while (true) {
+      if (!outcome.done.empty()) {
+        if (accept_most(outcome, spoilers)) return true;
+      } else if (!last_resort) {
+        last_resort = true;
+      } else if (!put_off.empty()) {
+        put_off.clear();
+      } else {
+        if (!request_.keep_going) refuse(plan, outcome);
+        for (const Target& target : outcome.failed)
+          repair_.kept.push_back(
+              {target.name, target.round, target.site.length, target.center_index});
+        return false;
+      }
+      RepairRound round(now_, level_, values_, repair_.rounds + 1);
       outcome = outcome_of(round);
-      if (!outcome.done.empty()) continue;
-      if (put_off.empty()) refuse(plan, outcome);
-      put_off.clear();
     }
   }
 
@@ -206,14 +249,15 @@ class Repairer {
     return remaining_bytes(options_.max_bytes, value_bytes(values_.view()));
   }
 
-  /// The same for the next one: this one, what is kept of the first, and what looked for membranes
-  /// on both sides stay meanwhile.
+  /// The same for the next one: this one, what is kept of the first, and what removes loops stay
+  /// meanwhile.
   std::uint64_t room_beside_now() const {
     const std::uint64_t now =
         held_bytes(now_.sides->lattice.vertex_count(), now_.analysis.surface.points.size());
     const std::uint64_t first = held_bytes(0, repair_.before.surface.points.size());
-    const std::uint64_t finders = std::uint64_t{16} * now_.sides->lattice.vertex_count();
-    return remaining_bytes(room_beside_voxels(), now + first + finders);
+    const std::uint64_t remover =
+        LoopRemover::bytes_per_vertex * now_.sides->lattice.vertex_count();
+    return remaining_bytes(room_beside_voxels(), now + first + remover);
   }
 
   std::vector<bool> changed_by(const Outcome& outcome) const {
@@ -255,15 +299,14 @@ class Repairer {
   }
 
   [[noreturn]] void refuse(const Plan& plan, const Outcome& outcome) const {
-    const bool has_target = !plan.targets.empty();
-    const Target& first = has_target ? plan.targets.front() : plan.spare.front();
+    const Target& first = plan.targets.empty() ? plan.spare.front() : plan.targets.front();
     const Target& last = put_off_.empty() ? first : put_off_.back();
     const Target& target = outcome.failed.empty() ? last : outcome.failed.front();
     const std::string found = target.round == 1
                                   ? ""
                                   : " (of analysis " + std::to_string(target.round) + ", after " +
                                         std::to_string(repair_.removals.size()) + " removals)";
-    if (!has_target) {
+    if (plan.is_for_genus) {
       throw SelfCheckFailed("genus " + std::to_string(*request_.genus) +
                             " cannot be reached: at genus " +
                             std::to_string(now_.analysis.surface.genus()) +

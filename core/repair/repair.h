@@ -5,7 +5,6 @@
 
 #include "core/analysis/analysis.h"
 #include "core/grid/grid.h"
-#include "core/repair/loop_remover.h"
 #include "isoloop/repair.h"
 
 namespace isoloop {
@@ -24,8 +23,8 @@ struct Repair : RepairChanges {
 /// tunnel that crosses it, and a tunnel by cutting.
 ///
 /// The boundary must be closed. Throws InvalidArgument (an id that does not exist, an open
-/// boundary), SelfCheckFailed if a loop cannot be removed so, naming it, and what analyze()
-/// throws.
+/// boundary), SelfCheckFailed if a loop cannot be removed so, naming it, unless the request says to
+/// keep going, and what analyze() throws.
 Repair repair_loops(const AnyGridView& grid, const IsoLevel& level, const RepairRequest& request,
                     const AnalysisOptions& options = {});
 

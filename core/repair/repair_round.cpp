@@ -3,64 +3,79 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/z2/z2_basis.h"
-
 namespace isoloop {
 namespace {
 
 constexpr std::size_t most_substitutes = 4;  // loops across one that will not go itself
 
+std::size_t place_of(LoopKind kind) { return kind == LoopKind::handle ? 0 : 1; }
+
 }  // namespace
 
-GeneratorSet joint_class(const Workings& workings, const LoopSite& site) {
-  GeneratorSet set = site.other;
-  // The class of a handle loop lies in H1(O), whose generators come after those of H1(I).
-  if (site.kind == LoopKind::handle)
-    for (std::uint32_t& generator : set) generator += workings.classes.inside_rank;
-  return set;
+void CrossingIndex::add(const LoopSite& site) {
+  for (const std::uint32_t generator : site.other)
+    having_[place_of(site.kind)][generator].push_back(count_);
+  ++count_;
+}
+
+std::vector<std::uint32_t> CrossingIndex::crossed_oddly(const LoopSite& site) const {
+  std::vector<std::uint32_t> met;
+  for (const std::uint32_t generator : site.crossing) {
+    const auto& having = having_[1 - place_of(site.kind)];
+    const auto loops = having.find(generator);
+    if (loops != having.end()) met.insert(met.end(), loops->second.begin(), loops->second.end());
+  }
+  std::sort(met.begin(), met.end());
+  std::vector<std::uint32_t> odd;
+  for (std::size_t i = 0; i < met.size();) {
+    const std::size_t first = i;
+    while (i < met.size() && met[i] == met[first]) ++i;
+    if ((i - first) % 2 != 0) odd.push_back(met[first]);
+  }
+  return odd;
 }
 
 RepairRound::RepairRound(const Workings& workings, const IsoLevel& level, VoxelValues& values,
-                         int number, std::uint64_t max_bytes)
-    : workings_(workings), remover_(workings, level, values, max_bytes) {
-  for (const Loop& loop : workings.analysis.loops)
+                         int number)
+    : workings_(workings), remover_(workings, level, values) {
+  for (const Loop& loop : workings.analysis.loops) {
     all_.push_back({{loop.kind, loop.id}, number, site_of(workings, loop), loop.center_index});
+    crossings_.add(all_.back().site);
+  }
 }
 
 bool RepairRound::is_left(const LoopSite& site) const {
-  Z2Basis same_kind;
-  for (const LoopSite& gone : removed_) {
-    if (gone.kind == site.kind) {
-      same_kind.add(gone.other);
-    } else if (cross_oddly(gone, site)) {
-      return false;
-    }
-  }
-  return same_kind.add(site.other).has_value();
+  return removed_crossings_.crossed_oddly(site).empty() &&
+         !removed_classes_[place_of(site.kind)].remainder(site.other).empty();
 }
 
-bool RepairRound::remove(const Target& target, bool cheaper) {
+bool RepairRound::remove(const Target& target, bool cheaper, Effort effort) {
   struct Choice {
     const Target* by;
     std::vector<VoxelChange> change;
   };
   std::optional<Choice> best;
-  const auto consider = [&](const Target& by) {
-    auto change = remover_.propose(by.site);
+  const auto consider = [&](const Target& by, Effort how) {
+    auto change = remover_.propose(by.site, how);
     if (change && (!best || change->size() < best->change.size()))
       best = Choice{&by, std::move(*change)};
   };
-  consider(target);
-  if (cheaper)
-    for (const Target* across : substitutes(target, true)) consider(*across);
-  if (!best)
+  if (effort != Effort::across) {
+    consider(target, effort);
+    if (cheaper)
+      for (const Target* across : substitutes(target, true)) consider(*across, effort);
+  }
+  if (effort >= Effort::across && !best)
     for (const Target* across : substitutes(target, false)) {
-      consider(*across);
+      for (const Effort how : {Effort::few_voxels, Effort::membranes, Effort::any})
+        if (!best && (how != Effort::any || effort == Effort::any)) consider(*across, how);
       if (best) break;
     }
   if (!best) return false;
-  remover_.apply(best->change);
-  removed_.push_back(best->by->site);
+  remover_.apply(best->by->site, best->change);
+  ++removed_;
+  removed_crossings_.add(best->by->site);
+  removed_classes_[place_of(best->by->site.kind)].add(best->by->site.other);
   const bool cut = best->by->site.kind == LoopKind::handle;
   const Removal removal{target.name,
                         target.round,
@@ -78,13 +93,10 @@ bool RepairRound::remove(const Target& target, bool cheaper) {
 /// kind, then the short ones. `sole`: only those that cross no other.
 std::vector<const Target*> RepairRound::substitutes(const Target& target, bool sole) const {
   std::vector<std::pair<std::size_t, const Target*>> found;
-  for (const Target& loop : all_) {
-    if (loop.site.kind == target.site.kind || !cross_oddly(loop.site, target.site) ||
-        !is_left(loop.site))
-      continue;
-    std::size_t crossed = 0;
-    for (const Target& other : all_)
-      if (other.site.kind == target.site.kind && cross_oddly(loop.site, other.site)) ++crossed;
+  for (const std::uint32_t n : crossings_.crossed_oddly(target.site)) {
+    const Target& loop = all_[n];
+    if (!is_left(loop.site)) continue;
+    const std::size_t crossed = crossings_.crossed_oddly(loop.site).size();
     if (!sole || crossed == 1) found.emplace_back(crossed, &loop);
   }
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {

@@ -27,6 +27,7 @@ struct RepairRequest {
   double either = 0.0;                  // loops of both kinds shorter than this: cut or fill
   std::vector<LoopName> loops{};        // these
   std::optional<std::int64_t> genus{};  // the shortest, until the genus is no more than this
+  bool keep_going = false;              // list what cannot be removed, and remove the rest
 };
 
 enum class RepairAction { cut, fill };
@@ -42,6 +43,14 @@ struct Removal {
   std::int64_t voxels = 0;  // changed
 };
 
+/// A loop that was asked for and could not be removed.
+struct KeptLoop {
+  LoopName loop;
+  int round = 1;  // of analysis, as in Removal
+  double length = 0.0;
+  Vec3 center_index{};
+};
+
 /// A voxel, numbered in scan order, and what it becomes.
 struct VoxelChange {
   std::size_t voxel = 0;
@@ -52,6 +61,7 @@ struct VoxelChange {
 /// What a repair did.
 struct RepairChanges {
   std::vector<Removal> removals;
+  std::vector<KeptLoop> kept;        // only where the request says to keep going
   std::vector<VoxelChange> changes;  // by voxel; empty where nothing was to be done
   std::int64_t added_voxels = 0;     // now inside
   std::int64_t removed_voxels = 0;   // now outside
@@ -81,7 +91,8 @@ struct RepairOptions {
 /// that crosses it, and a tunnel by cutting.
 ///
 /// The boundary is closed. Throws InvalidArgument (an id that does not exist), SelfCheckFailed if a
-/// loop cannot be removed so, naming it, and what find_loops() throws.
+/// loop cannot be removed so, naming it, unless the request says to keep going, and what
+/// find_loops() throws.
 RepairResult repair(const AnyGridView& grid, const IsoLevel& level, const RepairRequest& request,
                     const RepairOptions& options = {});
 

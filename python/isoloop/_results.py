@@ -357,7 +357,10 @@ class Loops(SurfaceCounts, Sequence[Loop]):
 
 
 class Plateau(NamedTuple):
-    """Iso values between which all counts are the same, but for what the scan sets aside."""
+    """Iso values from `least` to `most` between which all counts are the same.
+
+    `betti` has these counts, without what the scan sets aside.
+    """
 
     least: float
     most: float
@@ -399,7 +402,7 @@ class Scan(_Placed):
 
     def _plateau(self, first: int, last: int, width: float, meaningful: bool) -> Plateau:
         row = self.rows[first]
-        betti = Betti(int(row["b0"]), int(row["b1"]), int(row["b2"]))
+        betti = Betti(int(row["large_b0"]), int(row["large_b1"]), int(row["large_b2"]))
         return Plateau(float(row["iso"]), float(self.rows["iso"][last]), width, meaningful, betti)
 
     def to_numpy(self) -> NDArray[Any]:
@@ -438,6 +441,16 @@ class Removal(NamedTuple):
     center_index: Floats
 
 
+class KeptLoop(NamedTuple):
+    """A loop that was asked for and could not be removed; fields as those of Removal."""
+
+    kind: str
+    id: int
+    round: int
+    length: float
+    center_index: Floats
+
+
 class Repair(_Placed):
     """Voxels that were changed so that handles and tunnels go, and nothing else does.
 
@@ -448,9 +461,11 @@ class Repair(_Placed):
     changed : bool array
         Of its shape: where they are.
     removals : list of Removal
+    kept : list of KeptLoop
+        With `keep_going`: what could not be removed.
     before, after : Counts
-    added_voxels, removed_voxels : int
-        Now inside; now outside.
+    added_voxels, removed_voxels, shifted_voxels : int
+        Now inside; now outside; of another value on the side that they were on, which is rare.
     """
 
     def __init__(
@@ -460,8 +475,10 @@ class Repair(_Placed):
         self.before = Counts(run.before)
         self.after = Counts(run.after)
         self.removals = [Removal(**removal) for removal in run.removals()]
+        self.kept = [KeptLoop(**kept) for kept in run.kept()]
         self.added_voxels: int = run.added_voxels
         self.removed_voxels: int = run.removed_voxels
+        self.shifted_voxels = int(changed.sum()) - run.added_voxels - run.removed_voxels
         self.array = array
         self.changed = changed
 

@@ -249,9 +249,11 @@ def loops(
     geodesic : {"hierarchy", "exact"}
         How sizes are measured (docs/sizes.md).
     tighten : {"none", "basis", "curve"}
-        Loops as found, exchanged for shorter ones (the default), or also drawn across triangles.
+        Loops as found, exchanged for shorter ones, or also drawn across triangles. By default
+        "basis"; with engine="pair" or an open boundary, which takes no other, "none".
     engine : {"dual", "pair"}
-        "pair" is the paper's algorithm as printed; `refine` is "none", "1", "2" or "both".
+        "pair" is the paper's algorithm (docs/paper.md). `refine`, for it alone, says with which of
+        its refinements: "none", "1", "2" or "both", the default.
     side : {"both", "handle", "tunnel"}
         Which kind to report; `min_size` and `max_size`: which sizes, in the unit of the spacing.
     feature_ratio : float
@@ -350,7 +352,8 @@ def scan(
         The least and the largest of them; by default those of the voxels.
     ignore_below : int or str
         Parts of fewer voxels, or of less than a share of the largest ("0.1%"), do not break a
-        plateau.
+        plateau. None: 0, and where no plateau is stable then, the first of 64, 512 and 4096 with
+        which one is, as long as that is at most a thousandth of the voxels; if none will do, 0.
     volume, inside, topology, spacing, affine, frame, unit, nan_as, threads, max_memory, progress
         As for count().
 
@@ -389,6 +392,7 @@ def repair(
     ids: Union[str, Sequence[str]] = "",
     side: str = "",
     genus: Optional[int] = None,
+    keep_going: bool = False,
     inside: Optional[str] = None,
     topology: Optional[str] = None,
     connectivity: Optional[int] = None,
@@ -413,6 +417,8 @@ def repair(
         Loops of loops(), such as "h3,t7"; numbers alone with `side`, "handle" or "tunnel".
     genus : int
         Removes the shortest until the surface has this genus or less.
+    keep_going : bool
+        Lists what cannot be removed, as `kept`, and removes the rest.
     volume, iso, inside, topology, connectivity, label, spacing, affine, frame, unit, nan_as, threads,
     max_memory, progress
         As for count().
@@ -427,7 +433,7 @@ def repair(
     UsageError, InvalidInput, LimitExceeded
         As count() does; UsageError also for an id that does not exist.
     SelfCheckFailed
-        If a loop cannot be removed so, naming it.
+        If a loop cannot be removed so, naming it; not with `keep_going`.
 
     Examples
     --------
@@ -443,7 +449,7 @@ def repair(
     asked = _core.RepairFlags()
     lengths = ("" if one is None else repr(float(one)) for one in (fill_tunnels, cut_handles, auto))
     asked.fill_tunnels, asked.cut_handles, asked.either = lengths
-    asked.genus, asked.side = genus, side
+    asked.genus, asked.side, asked.keep_going = genus, side, keep_going
     asked.ids = ids if isinstance(ids, str) else ",".join(ids)
     made = _input(volume, label, spacing, affine, frame, unit, nan_as)
     run = _core.repair(

@@ -58,6 +58,7 @@ void turn_to_array(const Axes& axes, RepairRun& run) {
   }
   for (Removal& removal : run.repair.removals)
     removal.center_index = in_array_axes(axes, removal.center_index);
+  for (KeptLoop& kept : run.repair.kept) kept.center_index = in_array_axes(axes, kept.center_index);
 }
 
 std::string place_in_array(const Axes& axes, const std::string& place) {

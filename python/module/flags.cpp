@@ -76,7 +76,8 @@ void bind_flags(py::module_& module) {
       .def_readwrite("either", &RepairFlags::either)
       .def_readwrite("genus", &RepairFlags::genus)
       .def_readwrite("ids", &RepairFlags::ids)
-      .def_readwrite("side", &RepairFlags::side);
+      .def_readwrite("side", &RepairFlags::side)
+      .def_readwrite("keep_going", &RepairFlags::keep_going);
 }
 
 }  // namespace isoloop::python

@@ -211,6 +211,20 @@ py::list removals_of(const RepairRun& run) {
   return rows;
 }
 
+py::list kept_of(const RepairRun& run) {
+  py::list rows;
+  for (const KeptLoop& kept : run.repair.kept) {
+    py::dict row;
+    row["kind"] = kind_text(kept.loop.kind);
+    row["id"] = kept.loop.id;
+    row["round"] = kept.round;
+    row["length"] = kept.length;
+    row["center_index"] = py::array_t<double>(3, kept.center_index.data());
+    rows.append(row);
+  }
+  return rows;
+}
+
 /// Numbers of voxels in memory, and what they become.
 py::tuple changes_of(const RepairRun& run) {
   const std::vector<VoxelChange>& changes = run.repair.changes;
@@ -338,6 +352,7 @@ void bind_repair(py::module_& module) {
       .def_property_readonly("removed_voxels",
                              [](const Run& run) { return run.repair.removed_voxels; })
       .def("removals", &removals_of)
+      .def("kept", &kept_of)
       .def("changes", &changes_of);
 }
 

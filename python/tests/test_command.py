@@ -52,6 +52,14 @@ def test_scans_are_those_of_the_command(command):
     assert scan.rows["iso"][0] == 5 and scan.rows["b1"].max() > 0
 
 
+@pytest.mark.parametrize("ignore_below", [None, 64])
+def test_plateaus_have_the_counts_of_the_json(ignore_below):
+    scan = isoloop.scan(data("volumes/fuel_64x64x64_uint8.raw"), ignore_below=ignore_below)
+    told = scan.to_dict()["plateaus"]
+    assert [p.betti for p in scan.plateaus] == [(p["b0"], p["b1"], p["b2"]) for p in told]
+    assert [(p.least, p.most) for p in scan.plateaus] == [(p["from"], p["to"]) for p in told]
+
+
 def test_auto_takes_the_value_that_the_command_takes(command):
     path = data("volumes/fuel_64x64x64_uint8.raw")
     counted = isoloop.count(isoloop.read(path), "auto")
@@ -73,6 +81,8 @@ def test_repairs_are_those_of_the_command(command, tmp_path):
     after = isoloop.read(out).array
     assert numpy.array_equal(repaired.array, after)
     assert numpy.array_equal(repaired.changed, after != volume.array)
+    assert (repaired.added_voxels, repaired.removed_voxels, repaired.shifted_voxels) == (
+        found["filled_voxels"], found["cut_voxels"], found["shifted_voxels"])
     assert repaired.after.genus == 0
 
 

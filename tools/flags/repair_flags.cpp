@@ -72,6 +72,8 @@ void add_repair_flags(CLI::App& command, RepairFlags& flags) {
                       "remove the shortest loops until the surface has this genus or less")
           ->type_name("N"),
       0);
+  command.add_flag("--keep-going", flags.keep_going,
+                   "list the loops that cannot be removed, and remove the others");
   for (const char* flag : {"--fill-tunnels", "--cut-handles", "--auto"})
     want_text(command.get_option(flag));
 }
@@ -87,6 +89,7 @@ RepairRequest repair_request(const RepairFlags& flags, const Volume* volume) {
   request.cut_handles = length_of(flags.cut_handles, "--cut-handles", volume);
   request.either = length_of(flags.either, "--auto", volume);
   request.genus = flags.genus;
+  request.keep_going = flags.keep_going;
   const std::string_view ids = flags.ids;
   for (std::size_t at = 0; !ids.empty() && at <= ids.size();) {
     const std::size_t comma = std::min(ids.find(',', at), ids.size());

@@ -19,10 +19,11 @@ struct RepairFlags {
   std::optional<std::int64_t> genus;
   std::string ids;   // "h3,t7", or "3,7" with a side
   std::string side;  // "handle", "tunnel" or empty
+  bool keep_going = false;
 };
 
-/// Adds --fill-tunnels, --cut-handles, --auto, --ids, --side and --genus. `flags` must outlive the
-/// parse.
+/// Adds --fill-tunnels, --cut-handles, --auto, --ids, --side, --genus and --keep-going. `flags`
+/// must outlive the parse.
 void add_repair_flags(CLI::App& command, RepairFlags& flags);
 
 /// Lengths in the unit of the volume's spacing; before it is read their numbers alone. Throws

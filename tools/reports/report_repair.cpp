@@ -64,6 +64,16 @@ void write_removals(std::ostream& out, const RepairRun& run) {
   }
 }
 
+void write_kept(std::ostream& out, const RepairRun& run) {
+  if (run.repair.kept.empty()) return;
+  const int decimals = length_decimals(run.volume.spacing);
+  out << "\nround  cannot be removed  length  centre (index)\n";
+  for (const KeptLoop& kept : run.repair.kept)
+    out << std::right << std::setw(5) << kept.round << "  " << std::left << std::setw(17)
+        << text_of(kept.loop) << std::right << std::setw(8) << fixed_text(kept.length, decimals)
+        << "  " << center_text(kept.center_index) << '\n';
+}
+
 Json counts_of(const Analysis& analysis) {
   const Surface& surface = analysis.surface;
   return {
@@ -73,6 +83,15 @@ Json counts_of(const Analysis& analysis) {
       {"euler", surface.euler()},
       {"genus", surface.genus()},
       {"betti", {{"b0", analysis.betti.b0}, {"b1", analysis.betti.b1}, {"b2", analysis.betti.b2}}}};
+}
+
+Json kept_of(const RepairRun& run, const KeptLoop& kept) {
+  return {{"kind", kind_text(kept.loop.kind)},
+          {"id", kept.loop.id},
+          {"round", kept.round},
+          {"length", kept.length},
+          {"center_index", kept.center_index},
+          {"center_world", to_world(run.volume, kept.center_index)}};
 }
 
 Json removal_of(const RepairRun& run, const Removal& removal) {
@@ -95,6 +114,7 @@ void write_repair_table(std::ostream& out, const RepairRun& run) {
       << ", inside is " << inside_text(run) << "\n\n";
   write_counts(out, repair);
   write_removals(out, run);
+  write_kept(out, run);
   const int decimals = length_decimals(run.volume.spacing);
   const double volume = voxel_volume(run);
   out << '\n'
@@ -107,7 +127,7 @@ void write_repair_table(std::ostream& out, const RepairRun& run) {
     out << ", " << repair.shifted_voxels << " shifted on the side that they were on";
   out << '\n';
   if (repair.removals.empty()) {
-    out << "nothing to repair\n";
+    out << (repair.kept.empty() ? "nothing to repair\n" : "nothing was removed\n");
   } else {
     out << "verified: genus " << repair.before.surface.genus() << " - " << repair.removals.size()
         << " = " << repair.after.surface.genus()
@@ -119,6 +139,8 @@ void write_repair_json(std::ostream& out, const RepairRun& run) {
   const Repair& repair = run.repair;
   Json removals = Json::array();
   for (const Removal& removal : repair.removals) removals.push_back(removal_of(run, removal));
+  Json kept = Json::array();
+  for (const KeptLoop& loop : repair.kept) kept.push_back(kept_of(run, loop));
   const double volume = voxel_volume(run);
   const Json json = {
       {"schema", "isoloop-repair/1"},
@@ -140,6 +162,7 @@ void write_repair_json(std::ostream& out, const RepairRun& run) {
       {"before", counts_of(repair.before)},
       {"after", counts_of(repair.after)},
       {"removals", std::move(removals)},
+      {"kept", std::move(kept)},
       {"changed_voxels", repair.changes.size()},
       {"filled_voxels", repair.added_voxels},
       {"cut_voxels", repair.removed_voxels},

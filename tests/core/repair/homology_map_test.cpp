@@ -26,12 +26,12 @@ struct Change {
   Change(const SmallVolume& volume, std::size_t loop)
       : values(volume.view()), before(work_out_loops(values.view(), zero_level)) {
     LoopRemover remover(before, zero_level, values);
-    const auto change = remover.propose(site_of(before, before.analysis.loops[loop]));
+    const auto change = remover.propose(site_of(before, before.analysis.loops[loop]), Effort::any);
     EXPECT_TRUE(change.has_value());
     const Lattice& lattice = before.sides->lattice;
     changed.resize(lattice.vertex_count());
     if (change) {
-      remover.apply(*change);
+      remover.apply(site_of(before, before.analysis.loops[loop]), *change);
       for (const VoxelChange& voxel : *change)
         changed[vertex_of(voxel.voxel, values.dims(), lattice)] = true;
     }
