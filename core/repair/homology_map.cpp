@@ -1,5 +1,6 @@
 #include "core/repair/homology_map.h"
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -13,19 +14,32 @@ class SameVertices {
  public:
   SameVertices(const Workings& from, const Workings& to) : from_(from), to_(to) {}
 
+  /// For a vertex of a cube without a changed corner.
   std::uint32_t of(std::uint32_t vertex) const {
     const std::uint32_t on_edges = from_.edges->count();
-    if (vertex < on_edges) {
-      const std::uint32_t edge = from_.analysis.surface.grid_edges[vertex];
-      return to_.edges->vertex_on(3 * moved(edge / 3) + edge % 3);
-    }
+    if (vertex < on_edges) return *on_same_edge(vertex);
     const std::uint32_t ring = vertex - on_edges;
     const std::uint32_t cube = from_.sides->tunnels[ring / ring_size].cube;
     return ring_vertex(*to_.edges, tunnel_in(*to_.sides, moved(cube)),
                        static_cast<int>(ring % ring_size));
   }
 
+  /// The edge of the other surface between the same places, beside changed voxels.
+  std::uint32_t edge_at(std::uint32_t a, std::uint32_t b) const {
+    if (std::max(a, b) >= from_.edges->count()) return no_edge;
+    const auto from = on_same_edge(a);
+    const auto to = on_same_edge(b);
+    return from && to ? edge_between(to_.analysis.surface.graph, *from, *to) : no_edge;
+  }
+
  private:
+  std::optional<std::uint32_t> on_same_edge(std::uint32_t vertex) const {
+    const std::uint32_t edge = from_.analysis.surface.grid_edges[vertex];
+    const auto end = to_.sides->lattice.vertex_at(from_.sides->lattice.voxel_at(edge / 3));
+    if (!end || !to_.edges->is_cut(3 * *end + edge % 3)) return std::nullopt;
+    return to_.edges->vertex_on(3 * *end + edge % 3);
+  }
+
   std::uint32_t moved(std::uint32_t lattice_vertex) const {
     return *to_.sides->lattice.vertex_at(from_.sides->lattice.voxel_at(lattice_vertex));
   }
@@ -54,7 +68,8 @@ using WalkForest = Potentials<WalkClasses, SumOfClasses>;  // over the vertices 
 
 /// The classes before and after of closed walks that generate all common ones.
 std::set<WalkClasses> common_walks(WalkForest& forest, const Workings& before,
-                                   const Workings& after, const std::vector<bool>& changed) {
+                                   const Workings& after, const std::vector<bool>& changed,
+                                   CommonWalks common) {
   std::set<WalkClasses> found;
   const Surface& surface = before.analysis.surface;
   const Lattice& lattice = before.sides->lattice;
@@ -64,19 +79,22 @@ std::set<WalkClasses> common_walks(WalkForest& forest, const Workings& before,
       if (changed[lattice.corner(cube, c)]) return false;
     return true;
   };
-  const auto step_after = [&](std::uint32_t a, std::uint32_t b) {
-    if (after.classes.of_edge.empty()) return 0U;
-    return after.classes
-        .of_edge[edge_between(after.analysis.surface.graph, same.of(a), same.of(b))];
+  const auto class_after = [&](std::uint32_t edge) {
+    return after.classes.of_edge.empty() ? 0U : after.classes.of_edge[edge];
   };
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    if (!is_common(surface.triangle_cubes[t])) continue;
+    const bool is_whole = is_common(surface.triangle_cubes[t]);
+    if (!is_whole && common == CommonWalks::in_cubes) continue;
     const auto& corners = surface.triangles[t];
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t a = corners[i];
       const std::uint32_t b = corners[(i + 1) % 3];
+      const std::uint32_t there =
+          is_whole ? edge_between(after.analysis.surface.graph, same.of(a), same.of(b))
+                   : same.edge_at(a, b);
+      if (there == no_edge) continue;
       const std::uint32_t step = before.classes.of_edge[edge_between(surface.graph, a, b)];
-      const WalkClasses closed = forest.join(a, b, {step, step_after(a, b)});
+      const WalkClasses closed = forest.join(a, b, {step, class_after(there)});
       if (closed != WalkClasses{}) found.insert(closed);
     }
   }
@@ -91,7 +109,8 @@ GeneratorSet set_of(const LabelPool& pool, std::uint32_t label) {
 }  // namespace
 
 HomologyMap::HomologyMap(const Workings& before, const Workings& after,
-                         const std::vector<bool>& changed, std::span<const GeneratorSet> removed)
+                         const std::vector<bool>& changed, std::span<const GeneratorSet> removed,
+                         CommonWalks common)
     : before_inside_(before.classes.inside_rank),
       before_rank_(before.classes.inside_rank + before.classes.outside_rank),
       after_inside_(after.classes.inside_rank),
@@ -99,7 +118,7 @@ HomologyMap::HomologyMap(const Workings& before, const Workings& after,
       removed_(removed.size()) {
   WalkForest forest(SumOfClasses{before.classes.pool, after.classes.pool});
   for (std::size_t v = 0; v < before.analysis.surface.points.size(); ++v) forest.add();
-  const auto walks = common_walks(forest, before, after, changed);
+  const auto walks = common_walks(forest, before, after, changed, common);
   for (const GeneratorSet& cycle : removed) add({cycle, {}});
   for (const WalkClasses& walk : walks)
     add({set_of(forest.sum.before, walk.before), set_of(forest.sum.after, walk.after)});

@@ -14,9 +14,14 @@
 
 namespace isoloop {
 
+/// Which walks are on both surfaces.
+enum class CommonWalks {
+  in_cubes,  // along triangles in cubes without a changed corner, which are the same in both
+  on_edges   // and along those edges in other cubes that join the same grid edges in both
+};
+
 /// Compares H1 of M before and after a change of voxels, by the closed walks on what the two
-/// surfaces have in common: the triangles in cubes without a changed corner, which are the same in
-/// both.
+/// surfaces have in common.
 ///
 /// To compress M along disjoint curves whose classes span A (cut along handle loops, fill tunnel
 /// loops) makes H1 of the result the classes that cross A evenly, modulo A; and H1(I), H1(O)
@@ -27,9 +32,10 @@ namespace isoloop {
 class HomologyMap {
  public:
   /// `changed`: by vertex of before's lattice. `removed`: a basis of A, as class_of() gives it.
-  /// Both boundaries must be closed, and the genus before not 0.
+  /// Both boundaries must be closed, and the genus before not 0. More walks may prove what fewer do
+  /// not reach; where a whole handle went, along with walks that cross it oddly, fewer do.
   HomologyMap(const Workings& before, const Workings& after, const std::vector<bool>& changed,
-              std::span<const GeneratorSet> removed);
+              std::span<const GeneratorSet> removed, CommonWalks common = CommonWalks::in_cubes);
 
   /// Nothing if all that A leaves is still there and no more; else what is wrong.
   std::optional<std::string> check() const;

@@ -223,8 +223,9 @@ class Repairer {
       Workings next = work_out_loops(values_.view(), level_, within(room_beside_now()));
       std::vector<GeneratorSet> classes;
       for (const Done& done : outcome.done) classes.push_back(done.joint_class);
-      const HomologyMap map(now_, next, changed_by(outcome), classes);
-      if (is_sound(outcome, next, map)) {
+      for (const CommonWalks common : {CommonWalks::in_cubes, CommonWalks::on_edges}) {
+        const HomologyMap map(now_, next, changed_by(outcome), classes, common);
+        if (!is_sound(outcome, next, map)) continue;
         named_ = carried(named_, now_, next, map);
         accept(outcome, std::move(next));
         return true;

@@ -115,6 +115,21 @@ TEST(Repair, TellsSheetsWithinOneCubeApartByAVoxelThatStaysOnItsSide) {
   EXPECT_GT(shifted, 0);
 }
 
+TEST(Repair, RemovesEachLoopWhereAllCubesMeetTheChangedVoxel) {
+  // Each voxel's cubes hold rings of others: walks apart from them do not reach every class.
+  const std::vector<std::uint8_t> values{1, 3, 0, 3, 1, 4, 1, 4, 0, 3, 0, 3, 1,
+                                         3, 1, 3, 1, 3, 1, 4, 1, 4, 0, 4, 0};
+  const GridView<std::uint8_t> grid{values, {5, 1, 5}};
+  const IsoLevel level{2.0, InsideRule::below, Topology::connected_18};
+  ASSERT_EQ(count_topology(grid, level).surface.genus(), 4);
+  for (const LoopKind kind : {LoopKind::handle, LoopKind::tunnel})
+    for (int id = 1; id <= 4; ++id) {
+      const Repair repair = repair_loops(grid, level, {.loops = {{kind, id}}});
+      EXPECT_EQ(repair.after.surface.genus(), 3) << text_of({kind, id});
+      EXPECT_EQ(repair.changes.size(), 1U) << text_of({kind, id});
+    }
+}
+
 TEST(Repair, ListsWhatItKeepsOnlyWhereItIsToKeepGoing) {
   const SmallVolume volume = testing::smooth_noise({16, 14, 12}, 1, 2);
   const Repair plain = repair_loops(volume.view(), zero_level, {.fill_tunnels = 9.0});
