@@ -135,6 +135,22 @@ TEST_F(RepairCommand, KeepsTheHeaderOfANiftiFile) {
   EXPECT_EQ(report["changed_voxels"], bytes_changed(ring, scratch_.read("out_ring.nii")));
 }
 
+TEST_F(RepairCommand, WritesOtherFormatsWithTheGeometryOfTheInput) {
+  scratch_.write("ring.nii", nifti_ring({"n+1\0", 4}) + ring_bytes());
+  for (const Words& solid : {Words{"--iso", "1"}, Words{"--label", "1"}}) {
+    Words command{"repair", "ring.nii", "--genus", "0", "-o", "out.nrrd"};
+    command.insert(command.end(), solid.begin(), solid.end());
+    const ProcessResult result = run(command);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const Json before = Json::parse(run({"count", "ring.nii", "--iso", "1", "--json", "-"}).out);
+    const Json after = Json::parse(run({"count", "out.nrrd", "--iso", "1", "--json", "-"}).out);
+    EXPECT_EQ(before["betti"]["b1"], 1);
+    EXPECT_EQ(after["betti"]["b1"], 0);
+    for (const char* field : {"dims", "type", "spacing", "origin", "direction"})
+      EXPECT_EQ(after["input"][field], before["input"][field]) << field;
+  }
+}
+
 TEST_F(RepairCommand, RefusesFormatsWhoseVoxelsItCannotReplace) {
   scratch_.write("ring.hdr", nifti_ring({"ni1\0", 4}));
   scratch_.write("ring.img", ring_bytes());
@@ -149,9 +165,9 @@ TEST_F(RepairCommand, RefusesFormatsWhoseVoxelsItCannotReplace) {
                  "32 bits at most");
   scratch_.write("ring.nii", nifti_ring({"n+1\0", 4}) + ring_bytes());
   expect_failure({"repair", "ring.nii", "--iso", "1", "--genus", "0", "-o", "out.nii.gz"}, 2,
-                 "same format");
+                 "volumes are written as");
   expect_failure({"repair", "ring.nii", "--iso", "1", "--genus", "0", "-o", "out.img"}, 2,
-                 "same format");
+                 "volumes are written as");
 }
 
 TEST_F(RepairCommand, WritesAMaskWhereLabelsAreTaken) {
@@ -181,8 +197,8 @@ TEST_F(RepairCommand, RefusesWhatMakesNoSense) {
   expect_failure(with({"-o", out_}), 2, "nothing to repair is named");
   expect_failure(with({"--genus", "0"}), 2, "--output");
   expect_failure(with({"--genus", "0", "-o", ring_}), 2, "would overwrite the input");
-  expect_failure(with({"--genus", "0", "-o", "out.vdb"}), 2, "same format");
-  expect_failure(with({"--genus", "0", "-o", "out.nii"}), 2, "same format");
+  expect_failure(with({"--genus", "0", "-o", "out.vdb"}), 2, "would round the voxels");
+  expect_failure(with({"--genus", "0", "-o", "out.nii"}), 2, "volumes are written as");
   expect_failure(with({"--ids", "1", "-o", out_}), 2, "h1 or t1");
   expect_failure(with({"--ids", "h2", "-o", out_}), 2, "there is no handle 2");
   expect_failure(with({"--ids", "x", "--side", "handle", "-o", out_}), 2, "'x' is no id");

@@ -41,47 +41,51 @@ struct CommandFlags {
   ProgressFlags progress;
 };
 
-/// Whether the file can be copied with the changed voxels in their places. An .img file is none
+/// Whether the output is the file with the changed voxels in their places. An .img file is none
 /// without its header.
-bool can_be_patched(const CommandFlags& flags, const Volume& volume) {
-  return volume.stored_at && !extension_of(flags.volume.file).starts_with(".img") &&
+bool is_patched(const CommandFlags& flags, const Volume& volume) {
+  return extension_of(flags.output) == extension_of(flags.volume.file) && volume.stored_at &&
+         !extension_of(flags.volume.file).starts_with(".img") &&
          std::filesystem::equivalent(volume.stored_at->file, flags.volume.file);
 }
 
-/// Masks do not have the voxel type of the file that they were made from.
-void check_mask_file(const CommandFlags& flags, const Volume& volume) {
-  if (file_kind(flags.output) != FileKind::raw) return;
-  if (flags.volume.skip.value_or(0) > 0) {
-    throw InvalidArgument(
-        "masks are written without a header: --label goes with --skip for --dry-run only");
-  }
-  const auto layout = layout_from_name(flags.output);
-  if (layout && (layout->dims != volume.dims || layout->type != voxel_type(volume.values))) {
-    throw InvalidArgument("--output " + flags.output + " would hold a mask of " +
-                          dims_text(volume.dims) + " " + type_name(volume.values) +
-                          " voxels; name it so");
-  }
+/// A .raw file says nothing of its voxels but by its name.
+void check_raw_name(const std::string& output, const Volume& volume) {
+  const auto layout = layout_from_name(output);
+  if (!layout || (layout->dims == volume.dims && layout->type == voxel_type(volume.values))) return;
+  throw InvalidArgument("--output " + output + " would hold " + (volume.mask ? "a mask of " : "") +
+                        dims_text(volume.dims) + " " + type_name(volume.values) +
+                        " voxels; name it so");
 }
 
-/// The output has the input's format, so that it keeps its type and geometry.
+/// What a volume that is written anew would lose is refused.
 void check_format(const CommandFlags& flags, const Volume& volume) {
-  const FileFormat* const format = file_format(flags.volume.file);
-  if (extension_of(flags.output) != extension_of(flags.volume.file)) {
-    throw InvalidArgument("--output " + flags.output + " must be a file of the same format as " +
-                          flags.volume.file);
-  }
-  if (can_be_patched(flags, volume)) return;
-  if (volume.mask && is_written(flags.output)) return check_mask_file(flags, volume);
-  if (format == nullptr || format->written != Written::as_floats) {
+  if (is_patched(flags, volume)) return;
+  const bool would_change_type = !volume.mask && file_kind(flags.output) != FileKind::vdb &&
+                                 extension_of(flags.output) == extension_of(flags.volume.file);
+  if (!is_written(flags.output) || would_change_type) {
     throw InvalidArgument(
-        flags.volume.file +
-        ": volumes are repaired in this format only if one file holds header and voxels, one after "
-        "another, of 32 bits at most if they are whole numbers, neither scaled nor compressed "
-        "otherwise than by gzip; convert it to such a file, of .nrrd for one");
+        "--output " + flags.output + ": a copy of " + flags.volume.file +
+        " can be changed only if one file holds header and voxels, one after another, of 32 bits "
+        "at most if they are whole numbers, neither scaled nor compressed otherwise than by gzip; "
+        "in other formats volumes are written as " +
+        written_extensions());
   }
-  if (voxel_type(volume.values) != VoxelType::float32) {
+  if (flags.volume.skip.value_or(0) > 0) {
+    throw InvalidArgument("--output " + flags.output +
+                          " is written without the header that --skip leaves out; name a .nrrd");
+  }
+  if (flags.volume.nan_as) {
+    throw InvalidArgument("--output " + flags.output +
+                          " would hold the value of --nan-as in place of NaN; only a copy of " +
+                          flags.volume.file + " in its own format keeps NaN");
+  }
+  if (file_kind(flags.output) == FileKind::raw) check_raw_name(flags.output, volume);
+  const bool is_rounded = file_format(flags.output)->written == Written::as_floats &&
+                          !volume.mask && voxel_type(volume.values) != VoxelType::float32;
+  if (is_rounded) {
     throw InvalidArgument("OpenVDB grids are written as float, which would round the voxels of " +
-                          flags.volume.file + "; convert it to a float grid first");
+                          flags.volume.file + "; name an --output of .nrrd");
   }
 }
 
@@ -95,7 +99,7 @@ void apply(const Repair& repair, Volume& volume) {
 }
 
 void write_repaired(const CommandFlags& flags, const Repair& repair, const Volume& volume) {
-  if (!can_be_patched(flags, volume)) {
+  if (!is_patched(flags, volume)) {
     write_volume(volume, flags.output);
     return;
   }
@@ -160,7 +164,9 @@ void add_repair_command(CLI::App& app) {
   add_repair_flags(command, flags->repair);
   want_file_name(
       command
-          .add_option("-o,--output", flags->output, "the repaired volume, in the format of FILE")
+          .add_option(
+              "-o,--output", flags->output,
+              "the repaired volume: FILE with the changed voxels, or anew as .nrrd, .raw or .vdb")
           ->type_name("FILE"));
   command.add_flag("--dry-run", flags->dry_run, "report, and write no volume");
   want_file_name(
