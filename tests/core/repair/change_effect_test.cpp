@@ -40,6 +40,7 @@ std::vector<VoxelChange> random_change(const Lattice& lattice, const VoxelValues
       voxels.insert(static_cast<std::size_t>(at[0] + dims[0] * (at[1] + dims[1] * at[2])));
   }
   std::vector<VoxelChange> change;
+  change.reserve(voxels.size());
   for (const std::size_t voxel : voxels)
     change.push_back({voxel, values.at(voxel), 38.0 + random() % 5});
   return change;
