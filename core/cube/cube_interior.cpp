@@ -285,15 +285,16 @@ std::optional<int> tunnel_hub(const CubeCut& cut, const CornerLevels& levels) {
   return found;
 }
 
-const CubeCut& cut_with(const CornerLevels& levels, bool tunnels) {
-  unsigned inside = 0;
-  for (unsigned c = 0; c < 8; ++c) inside |= (levels[c] >= 0.0 ? 1U : 0U) << c;
-  const auto corners = static_cast<std::uint8_t>(inside);
-  const auto joined = static_cast<std::uint8_t>(
-      decide_faces(corners, [&](int c) { return levels[static_cast<std::size_t>(c)]; }).joined);
-  const CubeCut& plain = cube_cut(corners, joined, false);
+DecidedCube decide_cube(const CornerLevels& levels, bool tunnels) {
+  DecidedCube cube;
+  for (unsigned c = 0; c < 8; ++c)
+    if (levels[c] >= 0.0) cube.inside |= static_cast<std::uint8_t>(1U << c);
+  const auto level_at = [&](int corner) { return levels[static_cast<std::size_t>(corner)]; };
+  cube.joined = static_cast<std::uint8_t>(decide_faces(cube.inside, level_at).joined);
+  const CubeCut& plain = cube_cut(cube.inside, cube.joined, false);
   const std::optional<int> hub = tunnels ? tunnel_hub(plain, levels) : std::nullopt;
-  return hub ? tunnel_cut(corners, joined, false, *hub).cut : plain;
+  cube.cut = hub ? &tunnel_cut(cube.inside, cube.joined, false, *hub).cut : &plain;
+  return cube;
 }
 
 std::array<Vec3, ring_size> tunnel_ring(const CornerLevels& levels, int hub, double least_share) {

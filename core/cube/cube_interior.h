@@ -66,9 +66,15 @@ DecidedFaces decide_faces(std::uint8_t inside, const LevelAt& level_at) {
   return decided;
 }
 
-/// How M cuts a cube with these levels, as cube_cut() has it where its parity is even. `tunnels`:
-/// whether those of the interpolant count.
-const CubeCut& cut_with(const CornerLevels& levels, bool tunnels);
+/// A cube as cube_cut() wants it, and what that gives where its parity is even.
+struct DecidedCube {
+  std::uint8_t inside = 0;
+  std::uint8_t joined = 0;
+  const CubeCut* cut = nullptr;
+};
+
+/// How M cuts a cube with these levels. `tunnels`: whether those of the interpolant count.
+DecidedCube decide_cube(const CornerLevels& levels, bool tunnels);
 
 /// The ring round a tunnel, in shares of the cube's edges: points on the interpolant's iso-surface
 /// unless they would come closer than `least_share` to the cube's faces, or than twice that to each

@@ -15,6 +15,12 @@ enum class Side : std::uint8_t { outside = 0, inside = 1 };
 
 constexpr Side other(Side side) { return side == Side::inside ? Side::outside : Side::inside; }
 
+/// The indices of a voxel that is numbered in scan order.
+constexpr Index3 voxel_index(std::size_t voxel, const Index3& dims) {
+  const auto at = static_cast<std::int64_t>(voxel);
+  return {at % dims[0], at / dims[0] % dims[1], at / dims[0] / dims[1]};
+}
+
 /// A box of dims[0] * dims[1] * dims[2] grid vertices; vertex (0, 0, 0) of it is voxel `first` of
 /// the grid, which may lie one step outside it. Numbers are 32-bit:
 ///   vertex v = x + dims[0] * (y + dims[1] * z)

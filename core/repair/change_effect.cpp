@@ -10,11 +10,6 @@
 namespace isoloop {
 namespace {
 
-Index3 voxel_index(std::size_t voxel, const Index3& dims) {
-  const auto at = static_cast<std::int64_t>(voxel);
-  return {at % dims[0], at / dims[0] % dims[1], at / dims[0] / dims[1]};
-}
-
 /// Where a change is: the cubes at its voxels, by their lowest corners, and their vertices.
 struct Place {
   std::vector<Index3> voxels;
@@ -87,7 +82,7 @@ Look look_at(const Place& place, const CurrentVolume& volume) {
             DisjointSets(static_cast<std::uint32_t>(place.around.size()))};
   for (const std::uint32_t vertex : place.around) look.inside.push_back(volume.is_inside(vertex));
   for (const Index3& cube : place.cubes) {
-    const CubeCut& cut = volume.cut_of(volume.levels_at(cube));
+    const CubeCut& cut = *volume.cube_at(cube).cut;
     look.euler += cut.disc_count;
     std::array<std::uint32_t, 8> corners{};
     for (unsigned c = 0; c < 8; ++c)

@@ -30,13 +30,10 @@ CurrentVolume::CurrentVolume(const VoxelSides& sides, const IsoLevel& level, Vox
 
 void CurrentVolume::set(std::size_t voxel, double value) {
   values_.set(voxel, value);
-  const auto at = static_cast<std::int64_t>(voxel);
-  const Index3& dims = values_.dims();
-  const Index3 index{at % dims[0], at / dims[0] % dims[1], at / dims[0] / dims[1]};
-  inside_[vertex_at(index)] = level_of(value, level_) >= 0.0 ? 1 : 0;
+  inside_[vertex_at(voxel_index(voxel, values_.dims()))] = level_of(value, level_) >= 0.0 ? 1 : 0;
 }
 
-CornerLevels CurrentVolume::levels_at(const Index3& lowest) const {
+DecidedCube CurrentVolume::cube_at(const Index3& lowest) const {
   const Index3& dims = values_.dims();
   CornerLevels levels{};
   for (int c = 0; c < 8; ++c) {
@@ -51,7 +48,7 @@ CornerLevels CurrentVolume::levels_at(const Index3& lowest) const {
                    : -1.0;
     levels[static_cast<std::size_t>(c)] = deciding_level(level, level_.topology);
   }
-  return levels;
+  return decide_cube(levels, level_.topology != Topology::simple);
 }
 
 bool CurrentVolume::hangs_together_along_edges(std::uint32_t cube, bool inside) const {

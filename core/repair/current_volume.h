@@ -35,14 +35,8 @@ class CurrentVolume {
     return sides_.lattice.vertex_at(voxel).value_or(beyond_box);
   }
 
-  /// Deciding levels (core/grid/level.h) at the corners of the cube with that voxel as its lowest
-  /// corner, which may lie round the grid.
-  CornerLevels levels_at(const Index3& lowest) const;
-
-  /// How M cuts a cube with such levels.
-  const CubeCut& cut_of(const CornerLevels& levels) const {
-    return cut_with(levels, level_.topology != Topology::simple);
-  }
+  /// How M cuts the cube with that voxel as its lowest corner, which may lie round the grid.
+  DecidedCube cube_at(const Index3& lowest) const;
 
   /// Calls visit(vertex) for each one that hangs together with this one, on its side, along a grid
   /// edge or within a cube, and perhaps more than once; with beyond_box if that does.
@@ -87,7 +81,7 @@ void CurrentVolume::for_each_joined(std::uint32_t vertex, const Visit& visit) co
     if (!is_in_box || q[0] + 1 >= lattice.dims[0] || q[1] + 1 >= lattice.dims[1] ||
         q[2] + 1 >= lattice.dims[2] || hangs_together_along_edges(cube, inside))
       continue;
-    const CubeCut& cut = cut_of(levels_at(lattice.voxel_at(cube)));
+    const CubeCut& cut = *cube_at(lattice.voxel_at(cube)).cut;
     const unsigned own = (p[0] - q[0]) | (p[1] - q[1]) << 1 | (p[2] - q[2]) << 2;
     for (unsigned c = 0; c < 8; ++c) {
       const std::uint32_t corner = lattice.corner(cube, c);

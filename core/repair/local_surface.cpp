@@ -22,18 +22,11 @@ struct BorderSegment {
   std::array<std::uint32_t, 2> vertices;  // of M
 };
 
-/// How one cube is cut: as cube_cut() wants it, and what it gives.
-struct CutCube {
-  std::uint8_t inside = 0;
-  std::uint8_t joined = 0;
-  const CubeCut* cut = nullptr;
-};
-
 /// M within the cubes: patches, glued along the segments on faces between cubes.
 /// Where two parts of the border touch at a vertex of M each has a copy of its own.
 class PatchesOfCubes {
  public:
-  /// `cut_at(cube)` gives its CutCube.
+  /// `cut_at(cube)` gives its DecidedCube.
   template <class CutAt>
   PatchesOfCubes(const Workings& workings, std::span<const std::uint32_t> vertices,
                  const CutAt& cut_at)
@@ -92,7 +85,7 @@ class PatchesOfCubes {
     return cubes;
   }
 
-  void read_cube(std::uint32_t k, const CutCube& cube) {
+  void read_cube(std::uint32_t k, const DecidedCube& cube) {
     const CubeCut& cut = *cube.cut;
     discs_ += cut.disc_count;
     for (std::size_t t = 0; t < cut.triangle_count; ++t)
@@ -105,7 +98,7 @@ class PatchesOfCubes {
   }
 
   /// Joins the patches on both sides of a face, or notes where they leave the cubes.
-  void read_faces(std::uint32_t k, const CutCube& cube) {
+  void read_faces(std::uint32_t k, const DecidedCube& cube) {
     for (int face = 0; face < 6; ++face) {
       const auto ring = face_ring(face);
       unsigned ring_inside = 0;
@@ -165,30 +158,19 @@ class PatchesOfCubes {
 
 LocalSurface local_surface(const Workings& workings, std::span<const std::uint32_t> vertices) {
   const VoxelSides& sides = *workings.sides;
-  return PatchesOfCubes(workings, vertices,
-                        [&](std::uint32_t cube) {
-                          return CutCube{inside_corners(sides, cube), joined_faces(sides, cube),
-                                         &cut_at(sides, cube)};
-                        })
-      .surface();
+  const auto cube_before = [&](std::uint32_t cube) {
+    return DecidedCube{inside_corners(sides, cube), joined_faces(sides, cube),
+                       &cut_at(sides, cube)};
+  };
+  return PatchesOfCubes(workings, vertices, cube_before).surface();
 }
 
 LocalSurface local_surface(const Workings& workings, const CurrentVolume& volume,
                            std::span<const std::uint32_t> vertices) {
-  return PatchesOfCubes(workings, vertices,
-                        [&](std::uint32_t cube) {
-                          const CornerLevels levels =
-                              volume.levels_at(volume.lattice().voxel_at(cube));
-                          unsigned inside = 0;
-                          for (unsigned c = 0; c < 8; ++c)
-                            inside |= (levels[c] >= 0.0 ? 1U : 0U) << c;
-                          const auto corners = static_cast<std::uint8_t>(inside);
-                          const DecidedFaces faces = decide_faces(
-                              corners, [&](int c) { return levels[static_cast<std::size_t>(c)]; });
-                          return CutCube{corners, static_cast<std::uint8_t>(faces.joined),
-                                         &volume.cut_of(levels)};
-                        })
-      .surface();
+  const auto cube_now = [&](std::uint32_t cube) {
+    return volume.cube_at(volume.lattice().voxel_at(cube));
+  };
+  return PatchesOfCubes(workings, vertices, cube_now).surface();
 }
 
 }  // namespace isoloop

@@ -36,8 +36,7 @@ LoopSite site_of(const Workings& workings, const Loop& loop) {
 }
 
 std::uint32_t vertex_of(std::size_t voxel, const Index3& dims, const Lattice& lattice) {
-  const auto at = static_cast<std::int64_t>(voxel);
-  return *lattice.vertex_at({at % dims[0], at / dims[0] % dims[1], at / dims[0] / dims[1]});
+  return *lattice.vertex_at(voxel_index(voxel, dims));
 }
 
 GeneratorSet joint_class(const Workings& workings, const LoopSite& site) {
