@@ -167,8 +167,8 @@ bool LoopRemover::lies_within(const LoopSite& loop, const std::vector<std::uint3
          });
 }
 
-/// One voxel, two in one cube, or all of `spanned`, the corners of the surface that the labels
-/// span.
+/// One voxel beside the loop, or among the corners of the surface that the labels span, or a step
+/// from these; or two in one cube.
 std::optional<std::vector<VoxelChange>> LoopRemover::small_change(
     const LoopSite& loop, const std::vector<std::uint32_t>& spanned) {
   const Side side = side_of(loop.kind);
@@ -193,8 +193,7 @@ std::optional<std::vector<VoxelChange>> LoopRemover::small_change(
       if (!share_cube) continue;
       if (auto change = passing(loop, {beside[i], beside[j]}, true)) return change;
     }
-  if (spanned.size() < 3 || spanned.size() > most_beside) return std::nullopt;
-  return passing(loop, spanned, true);
+  return std::nullopt;
 }
 
 /// How far to look for membranes from a loop of so many steps, in the order to be tried.

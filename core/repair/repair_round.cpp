@@ -61,9 +61,14 @@ bool RepairRound::remove(const Target& target, bool cheaper, Effort effort) {
       best = Choice{&by, std::move(*change)};
   };
   if (effort != Effort::across) {
-    consider(target, effort);
+    std::vector<const Target*> by{&target};
     if (cheaper)
-      for (const Target* across : substitutes(target, true)) consider(*across, effort);
+      for (const Target* across : substitutes(target, true)) by.push_back(across);
+    for (const Target* loop : by) {
+      if (effort == Effort::membranes && cheaper) consider(*loop, Effort::few_voxels);
+      consider(*loop, effort);
+    }
+    if (effort == Effort::few_voxels && cheaper && best && best->change.size() > 1) best.reset();
   }
   if (effort >= Effort::across && !best)
     for (const Target* across : substitutes(target, false)) {
