@@ -11,6 +11,7 @@
 #include "core/base/errors.h"
 #include "core/base/threads.h"
 #include "tests/oracles/random_volumes.h"
+#include "tests/oracles/tied_volumes.h"
 #include "tests/samples/core_fixture.h"
 
 namespace isoloop {
@@ -130,14 +131,27 @@ TEST(Repair, RemovesEachLoopWhereAllCubesMeetTheChangedVoxel) {
     }
 }
 
-TEST(Repair, ListsWhatItKeepsOnlyWhereItIsToKeepGoing) {
-  const SmallVolume volume = testing::smooth_noise({16, 14, 12}, 1, 2);
-  const Repair plain = repair_loops(volume.view(), zero_level, {.fill_tunnels = 9.0});
-  const Repair going =
-      repair_loops(volume.view(), zero_level, {.fill_tunnels = 9.0, .keep_going = true});
-  EXPECT_TRUE(plain.kept.empty());
-  EXPECT_TRUE(going.kept.empty());
-  EXPECT_EQ(going.changes.size(), plain.changes.size());
+TEST(Repair, ListsWhatItKeepsWhereItIsToKeepGoingAndElseRefuses) {
+  // All that removes this handle touches rings of others.
+  const testing::TiedVolume volume = testing::tied_volume(44);
+  const LoopName handle{LoopKind::handle, 4};
+  const RepairRequest request{.loops = {handle}};
+  EXPECT_THROW(repair_loops(volume.view(), volume.level, request), SelfCheckFailed);
+  RepairRequest going = request;
+  going.keep_going = true;
+  const Repair repair = repair_loops(volume.view(), volume.level, going);
+  EXPECT_TRUE(repair.removals.empty());
+  EXPECT_TRUE(repair.changes.empty());
+  ASSERT_EQ(repair.kept.size(), 1U);
+  EXPECT_EQ(text_of(repair.kept[0].loop), "handle 4");
+  // The rest is done.
+  const Analysis before = analyze(volume.view(), volume.level);
+  for (const Loop& loop : before.loops)
+    if (loop.kind == LoopKind::handle && loop.id != 4) going.loops.push_back({loop.kind, loop.id});
+  const Repair rest = repair_loops(volume.view(), volume.level, going);
+  EXPECT_EQ(rest.after.surface.genus(),
+            before.surface.genus() - static_cast<std::int64_t>(rest.removals.size()));
+  EXPECT_GT(rest.removals.size(), 4U);
 }
 
 TEST(Repair, ChangesTheSameVoxelsWithAnyNumberOfThreads) {

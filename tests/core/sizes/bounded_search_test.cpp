@@ -5,28 +5,16 @@
 #include <limits>
 #include <vector>
 
-#include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <gtest/gtest.h>
 
 #include "core/sizes/surface_hierarchy.h"
+#include "tests/oracles/shortest_paths.h"
 #include "tests/samples/core_fixture.h"
 
 namespace isoloop {
 namespace {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
-
-std::vector<float> boost_distances(const EdgeGraph& graph, std::uint32_t source) {
-  std::vector<float> distances(graph.vertex_count());
-  const auto edge_number = get(boost::edge_index, graph.csr);
-  boost::dijkstra_shortest_paths(
-      graph.csr, source,
-      boost::weight_map(boost::make_iterator_property_map(graph.lengths.begin(), edge_number))
-          .distance_inf(infinite)
-          .distance_map(boost::make_iterator_property_map(distances.begin(),
-                                                          get(boost::vertex_index, graph.csr))));
-  return distances;
-}
 
 /// Every `step`-th vertex but `source`.
 std::vector<Goal> some_goals(std::uint32_t count, std::uint32_t step, std::uint32_t source) {
@@ -47,7 +35,7 @@ TEST(BoundedSearch, FindsToTheBitWhatBoostFindsWithinTheRadius) {
       const double radius = turn == 19 ? infinite : 0.5 * turn + 0.25;
       BoundedSearch search(graph, points, radius, bucket);
       for (std::uint32_t source = turn; source < graph.vertex_count(); source += 497) {
-        const std::vector<float> expected = boost_distances(graph, source);
+        const std::vector<float> expected = testing::boost_distances(graph, source);
         // Some are few enough to be told apart.
         std::vector<Goal> goals = some_goals(graph.vertex_count(), turn % 2 ? 11 : 997, source);
         search.run(source, goals);

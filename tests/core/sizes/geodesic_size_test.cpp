@@ -6,9 +6,9 @@
 #include <limits>
 #include <vector>
 
-#include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <gtest/gtest.h>
 
+#include "tests/oracles/shortest_paths.h"
 #include "tests/samples/core_fixture.h"
 
 namespace isoloop {
@@ -27,24 +27,11 @@ std::vector<float> edge_sizes(const Prepared& p, Side side) {
   return sizes;
 }
 
-/// Lengths of the shortest paths along M from one of its vertices.
-std::vector<float> boosts_distances(const EdgeGraph& graph, std::uint32_t source) {
-  std::vector<float> distances(graph.vertex_count());
-  const auto edge_number = get(boost::edge_index, graph.csr);
-  boost::dijkstra_shortest_paths(
-      graph.csr, source,
-      boost::weight_map(boost::make_iterator_property_map(graph.lengths.begin(), edge_number))
-          .distance_inf(std::numeric_limits<float>::infinity())
-          .distance_map(boost::make_iterator_property_map(distances.begin(),
-                                                          get(boost::vertex_index, graph.csr))));
-  return distances;
-}
-
 /// The sizes of all grid edges at every `every`-th vertex, and of the halves of cut ones.
 void expect_exact_sizes(const Prepared& p, std::uint32_t every) {
   const Lattice& lattice = p.sides.lattice;
   for (std::uint32_t v = 0; v < lattice.vertex_count(); v += every) {
-    const auto from = boosts_distances(p.surface.graph, p.closest[v]);
+    const auto from = testing::boost_distances(p.surface.graph, p.closest[v]);
     const auto expect_size = [&](float size, std::uint32_t end) {
       if (std::isinf(from[end]))
         ASSERT_TRUE(std::isinf(size)) << v;
