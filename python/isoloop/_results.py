@@ -130,6 +130,10 @@ class _Placed:
         """What the command prints for people."""
         return self._any_run.table()
 
+    def summary(self) -> str:
+        """One line of NAME=VALUE, as the command prints it for --summary."""
+        return self._any_run.summary().rstrip("\n")
+
     def __str__(self) -> str:
         return self.table().rstrip("\n")
 
@@ -329,6 +333,10 @@ class Loops(SurfaceCounts, Sequence[Loop]):
             raise UsageError("labels are those of features; ask for them by isoloop.features()")
         return self._loops_run.labels()
 
+    def table(self, top: int = 0) -> str:
+        """What the command prints for people; of the loops the `top` largest, or all of them."""
+        return self._loops_run.table(top)
+
     def to_csv(self) -> str:
         """The text that the command writes for --csv."""
         return self._loops_run.csv()
@@ -472,6 +480,7 @@ class Repair(_Placed):
         self, run: _core.RepairRun, array: NDArray[Any], changed: NDArray[numpy.bool_]
     ) -> None:
         super().__init__(run)
+        self._repair_run = run
         self.before = Counts(run.before)
         self.after = Counts(run.after)
         self.removals = [Removal(**removal) for removal in run.removals()]
@@ -481,6 +490,10 @@ class Repair(_Placed):
         self.shifted_voxels = int(changed.sum()) - run.added_voxels - run.removed_voxels
         self.array = array
         self.changed = changed
+
+    def table(self, top: int = 0) -> str:
+        """What the command prints for people; of the loops the `top` longest, or all of them."""
+        return self._repair_run.table(top)
 
     def __repr__(self) -> str:
         return (

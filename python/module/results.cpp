@@ -21,6 +21,7 @@
 #include "tools/reports/report_mesh.h"
 #include "tools/reports/report_repair.h"
 #include "tools/reports/report_scan.h"
+#include "tools/reports/report_summary.h"
 #include "tools/reports/report_surface.h"
 #include "tools/reports/report_table.h"
 #include "tools/reports/scan_plot.h"
@@ -259,9 +260,17 @@ py::list plateaus_of(const ScanRun& run) {
   return rows;
 }
 
-void write_loops_table(std::ostream& out, const LoopsRun& run) {
-  write_table(out, run);
-  if (run.with_features) write_features(out, run);
+std::string loops_table(const LoopsRun& run, std::size_t top) {
+  std::ostringstream out;
+  write_table(out, run, top);
+  if (run.with_features) write_features(out, run, top);
+  return out.str();
+}
+
+std::string repair_table(const RepairRun& run, std::size_t top) {
+  std::ostringstream out;
+  write_repair_table(out, run, top);
+  return out.str();
 }
 
 void write_curves_svg(std::ostream& out, const ScanRun& run) {
@@ -293,6 +302,7 @@ void bind_count(py::module_& module) {
   py::class_<CountRun, RunInput, std::shared_ptr<CountRun>>(module, "CountRun")
       .def("json", text_by(write_count_json))
       .def("table", text_by(write_count_table))
+      .def("summary", text_by(write_count_summary))
       .def_property_readonly("counts", [](const CountRun& run) { return counts_of(run.analysis); })
       .def("points",
            [](const py::object& self) {
@@ -306,7 +316,8 @@ void bind_count(py::module_& module) {
 void bind_loops(py::module_& module) {
   py::class_<LoopsRun, CountRun, std::shared_ptr<LoopsRun>>(module, "LoopsRun")
       .def("json", text_by(write_json))
-      .def("table", text_by(write_loops_table))
+      .def("table", &loops_table, py::arg("top") = 0)
+      .def("summary", text_by(write_loops_summary))
       .def("csv", text_by(write_csv))
       .def_property_readonly("found", [](const LoopsRun& run) { return run.analysis.loops.size(); })
       .def("columns", &loop_columns)
@@ -332,6 +343,7 @@ void bind_scan(py::module_& module) {
   py::class_<ScanRun, RunInput, std::shared_ptr<ScanRun>>(module, "ScanRun")
       .def("json", text_by(write_scan_json))
       .def("table", text_by(write_scan_table))
+      .def("summary", text_by(write_scan_summary))
       .def("csv", text_by(write_scan_csv))
       .def("svg", text_by(write_curves_svg))
       .def("columns", &scan_columns)
@@ -345,7 +357,8 @@ void bind_repair(py::module_& module) {
   using Run = RepairRun;
   py::class_<Run, RunInput, std::shared_ptr<Run>>(module, "RepairRun")
       .def("json", text_by(write_repair_json))
-      .def("table", text_by(write_repair_table))
+      .def("table", &repair_table, py::arg("top") = 0)
+      .def("summary", text_by(write_repair_summary))
       .def_property_readonly("before", [](const Run& run) { return counts_of(run.repair.before); })
       .def_property_readonly("after", [](const Run& run) { return counts_of(run.repair.after); })
       .def_property_readonly("added_voxels", [](const Run& run) { return run.repair.added_voxels; })

@@ -103,6 +103,57 @@ TEST_F(FirstWords, FlagsThatMeanNothingAreNamedInTheOrderTyped) {
                  "--iso does not go with --label");
 }
 
+TEST_F(FirstWords, ASummaryIsOneLineForScripts) {
+  const std::string counts = "iso=1 b0=1 b1=1 b2=0 euler=0 genus=1";
+  EXPECT_EQ(run({"count", ring_, "--iso", "1", "--summary"}).out, counts + "\n");
+  const std::string loops = run({"loops", ring_, "--iso", "1", "--summary"}).out;
+  EXPECT_EQ(loops.find(counts + " handles=1 handle_length="), 0U) << loops;
+  EXPECT_NE(loops.find(" tunnels=1 tunnel_length="), std::string::npos) << loops;
+  EXPECT_EQ(loops.find('\n'), loops.size() - 1);
+  EXPECT_EQ(run({"loops", ring_, "--iso", "1", "--side", "tunnel", "--summary"}).out.find("handle"),
+            std::string::npos);
+  EXPECT_EQ(run({"view", ring_, "--iso", "1", "--summary"}).out, loops);
+  EXPECT_EQ(run({"scan", ring_, "--summary"}).out,
+            "iso=1 by=otsu large_b0=1 large_b1=1 large_b2=0 ignored_below=0\n");
+  const ProcessResult repaired =
+      run({"repair", ring_, "--iso", "1", "--fill-tunnels", "99", "--dry-run", "--summary"});
+  EXPECT_EQ(repaired.out.find("iso=1 b0=1 b1=0 b2=0 euler=2 genus=0 removed=1 kept=0 "), 0U)
+      << repaired.out;
+  expect_failure({"count", ring_, "--iso", "1", "--summary", "--json", "-"}, 2,
+                 "--summary goes to");
+  expect_failure({"loops", ring_, "--iso", "1", "--top", "3", "--csv", "-"}, 2, "--top is for");
+  expect_failure({"loops", ring_, "--iso", "1", "--top", "3", "--summary"}, 2,
+                 "--top does not go with --summary");
+}
+
+TEST_F(FirstWords, OnATerminalTheLargestThirtyLoopsAreShown) {
+  if (run_in_shell("command -v script > /dev/null") != 0) GTEST_SKIP() << "needs script(1)";
+  // Forty rings, each with a handle and a tunnel.
+  std::string voxels(static_cast<std::size_t>(40 * 4) * 5 * 3, '\0');
+  for (std::size_t ring = 0; ring < 40; ++ring)
+    for (std::size_t y = 1; y < 4; ++y)
+      for (std::size_t x = 0; x < 3; ++x)
+        if (x != 1 || y != 2) voxels[4 * ring + x + 160 * (y + 5)] = 1;
+  scratch_.write("rings_160x5x3_uint8.raw", voxels);
+  const std::string command = program_ + " loops rings_160x5x3_uint8.raw --iso 1";
+  ASSERT_EQ(run_in_shell("script -qec \"" + command + "\" typed > terminal.txt"), 0);
+  ASSERT_EQ(run_in_shell(command + " --top 30 > top.txt"), 0);
+  ASSERT_EQ(run_in_shell(command + " > all.txt"), 0);
+  const auto rows_of = [&](const char* file) {
+    const std::string text = scratch_.read(file);
+    std::size_t rows = 0;
+    for (std::size_t at = text.find(" bounds "); at != std::string::npos;
+         at = text.find(" bounds ", at + 1))
+      ++rows;
+    return rows;
+  };
+  EXPECT_EQ(rows_of("all.txt"), 80U);
+  EXPECT_EQ(rows_of("top.txt"), 30U);
+  EXPECT_EQ(rows_of("terminal.txt"), 30U);
+  EXPECT_NE(scratch_.read("terminal.txt").find("and 50 more: --top 0 shows all"),
+            std::string::npos);
+}
+
 TEST_F(FirstWords, LengthsMayHaveAUnit) {
   // The ring in micrometres: its tunnel loop has a size of a few voxels.
   const Words base{"loops", ring_, "--iso", "1", "--spacing", "500um", "--json", "-"};

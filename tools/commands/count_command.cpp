@@ -7,9 +7,11 @@
 #include <CLI/CLI.hpp>
 
 #include "core/base/threads.h"
+#include "tools/flags/table_flags.h"
 #include "tools/flags/thread_flag.h"
 #include "tools/reports/report_csv.h"
 #include "tools/reports/report_json.h"
+#include "tools/reports/report_summary.h"
 #include "tools/reports/report_table.h"
 #include "tools/runs/count_run.h"
 #include "tools/runs/mesh_comparison.h"
@@ -29,6 +31,7 @@ struct CountFlags {
   ProgressFlags progress;
   std::string json;  // file, "-" or empty
   std::string csv;   // file, "-" or empty
+  TableFlags table;
 };
 
 void count(const CountFlags& flags) {
@@ -36,6 +39,7 @@ void count(const CountFlags& flags) {
   OutputFiles outputs(flags.volume.file);
   outputs.add("--json", flags.json, report_of(run, write_count_json));
   outputs.add("--csv", flags.csv, report_of(run, write_count_csv));
+  check_table_flags(flags.table, outputs.uses_stdout());
   run_and_report<CountRun>(
       flags.progress, outputs, run,
       {.run =
@@ -44,7 +48,7 @@ void count(const CountFlags& flags) {
                                 progress);
            },
        .settle = [](CountRun& counted) { compare_with_mesh(counted, counted.analysis); },
-       .table = write_count_table});
+       .table = flags.table.summary ? write_count_summary : write_count_table});
 }
 
 }  // namespace
@@ -63,6 +67,7 @@ void add_count_command(CLI::App& app) {
                                  "write one line for each component of the surface; - is standard "
                                  "output")
                      ->type_name("FILE|-"));
+  add_summary_flag(command, flags->table);
   add_thread_flag(command, flags->threads);
   add_progress_flags(command, flags->progress);
   command.footer(

@@ -67,7 +67,7 @@ void show(const DemoFlags& flags) {
       flags.progress, outputs, run,
       {.run = [&](const Progress& progress) { return find_run(input, progress); },
        .settle = [&](LoopsRun& found) { check_known(found.analysis.betti, known); },
-       .table = write_table});
+       .table = [](std::ostream& out, const LoopsRun& found) { write_table(out, found); }});
   std::cout
       << "\nThe counts are those known by construction. To see the loops, open in a browser:\n"
       << "  " << std::filesystem::absolute(page).string()

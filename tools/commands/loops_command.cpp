@@ -12,6 +12,7 @@
 #include "core/base/errors.h"
 #include "tools/flags/engine_flags.h"
 #include "tools/flags/length_flag.h"
+#include "tools/flags/table_flags.h"
 #include "tools/flags/thread_flag.h"
 #include "tools/page/page.h"
 #include "tools/reports/report_csv.h"
@@ -21,6 +22,7 @@
 #include "tools/reports/report_mesh.h"
 #include "tools/reports/report_pairs.h"
 #include "tools/reports/report_stats.h"
+#include "tools/reports/report_summary.h"
 #include "tools/reports/report_surface.h"
 #include "tools/reports/report_table.h"
 #include "tools/runs/loops_run.h"
@@ -47,6 +49,7 @@ struct LoopsFlags {
   std::optional<double> feature_ratio;
   std::vector<std::string> labels;  // files
   PageOptions page;
+  TableFlags table;
   std::string side = "both";
 };
 
@@ -90,13 +93,14 @@ void add_labels(OutputFiles& outputs, const std::string& name, const LoopsRun& r
   });
 }
 
-/// The reports of `run`, which is yet to be made.
-OutputFiles outputs_of(const LoopsFlags& flags, const LoopsRun& run) {
+/// The reports of `run`, which is yet to be made; the page fills `left_out`.
+OutputFiles outputs_of(const LoopsFlags& flags, const LoopsRun& run, LeftOut& left_out) {
   OutputFiles outputs(flags.input.volume.file);
   outputs.add("--json", flags.json, report_of(run, write_json));
   outputs.add("--csv", flags.csv, report_of(run, write_csv));
   outputs.add("--ply", flags.ply, [&run](std::ostream& out) { write_ply(out, run); });
-  outputs.add("--html", flags.html, [&](std::ostream& out) { write_page(out, run, flags.page); });
+  outputs.add("--html", flags.html,
+              [&](std::ostream& out) { left_out = write_page(out, run, flags.page); });
   for (const std::string& name : flags.curves)
     outputs.add("--curves", name, report_of(run, curves_report(name)));
   for (const std::string& name : flags.surface)
@@ -115,7 +119,9 @@ void find(const LoopsFlags& flags) {
   input.features_may_lack = !reports_features(flags);
   check_engine_flags(input);
   LoopsRun run;
-  const OutputFiles outputs = outputs_of(flags, run);
+  LeftOut left_out;
+  const OutputFiles outputs = outputs_of(flags, run, left_out);
+  check_table_flags(flags.table, outputs.uses_stdout());
   run_and_report<LoopsRun>(
       flags.progress, outputs, run,
       {.run =
@@ -127,8 +133,12 @@ void find(const LoopsFlags& flags) {
        .settle = [](LoopsRun& found) { compare_with_mesh(found, found.analysis); },
        .table =
            [&](std::ostream& out, const LoopsRun& found) {
-             write_table(out, found);
-             if (found.with_features) write_features(out, found);
+             if (flags.table.summary) return write_loops_summary(out, found);
+             const std::size_t rows = most_rows(flags.table);
+             write_table(out, found, rows);
+             if (found.with_features) write_features(out, found, rows);
+             const std::string lacks = left_out_text(left_out);
+             if (!lacks.empty()) out << "page: " << flags.html << lacks << '\n';
              if (input.engine.stats) write_stats(out << '\n', found);
            }});
   if (input.engine.stats && outputs.uses_stdout()) write_stats(std::cerr, run);
@@ -165,6 +175,7 @@ void add_report_flags(CLI::App& command, LoopsFlags& flags) {
              "FILE");
   add_output("--html", flags.html, "write a page to look at; - is standard output", "FILE|-");
   add_page_flags(command, flags.page);
+  add_table_flags(command, flags.table);
   add_files(command, "--curves", flags.curves,
             "write the loops as curves: .vtp, .obj or .mrk.json (3D Slicer); may be repeated");
   add_files(command, "--surface", flags.surface,

@@ -12,8 +12,10 @@
 #include "core/base/errors.h"
 #include "core/base/threads.h"
 #include "tools/flags/repair_flags.h"
+#include "tools/flags/table_flags.h"
 #include "tools/flags/thread_flag.h"
 #include "tools/reports/report_repair.h"
+#include "tools/reports/report_summary.h"
 #include "tools/runs/mesh_comparison.h"
 #include "tools/runs/output_files.h"
 #include "tools/runs/read_run.h"
@@ -39,6 +41,7 @@ struct CommandFlags {
   bool dry_run = false;
   int threads = 0;  // 0: one for each core
   ProgressFlags progress;
+  TableFlags table;
 };
 
 /// Whether the output is the file with the changed voxels in their places. An .img file is none
@@ -50,7 +53,12 @@ bool is_patched(const CommandFlags& flags, const Volume& volume) {
 }
 
 /// A .raw file says nothing of its voxels but by its name.
-void check_raw_name(const std::string& output, const Volume& volume) {
+void check_raw(const CommandFlags& flags, const Volume& volume) {
+  const std::string& output = flags.output;
+  if (flags.volume.skip.value_or(0) > 0) {
+    throw InvalidArgument("--output " + output +
+                          " would lack the header that --skip passes over; name a .nrrd");
+  }
   const auto layout = layout_from_name(output);
   if (!layout || (layout->dims == volume.dims && layout->type == voxel_type(volume.values))) return;
   throw InvalidArgument("--output " + output + " would hold " + (volume.mask ? "a mask of " : "") +
@@ -71,16 +79,12 @@ void check_format(const CommandFlags& flags, const Volume& volume) {
         "in other formats volumes are written as " +
         written_extensions());
   }
-  if (flags.volume.skip.value_or(0) > 0) {
-    throw InvalidArgument("--output " + flags.output +
-                          " is written without the header that --skip leaves out; name a .nrrd");
-  }
   if (flags.volume.nan_as) {
     throw InvalidArgument("--output " + flags.output +
                           " would hold the value of --nan-as in place of NaN; only a copy of " +
                           flags.volume.file + " in its own format keeps NaN");
   }
-  if (file_kind(flags.output) == FileKind::raw) check_raw_name(flags.output, volume);
+  if (file_kind(flags.output) == FileKind::raw) check_raw(flags, volume);
   const bool is_rounded = file_format(flags.output)->written == Written::as_floats &&
                           !volume.mask && voxel_type(volume.values) != VoxelType::float32;
   if (is_rounded) {
@@ -146,11 +150,16 @@ void repair(const CommandFlags& flags) {
   OutputFiles outputs(flags.volume.file);
   if (!flags.dry_run) outputs.reserve("--output", flags.output);
   outputs.add("--json", flags.json, report_of(run, write_repair_json));
+  check_table_flags(flags.table, outputs.uses_stdout());
   run_and_report<RepairRun>(
       flags.progress, outputs, run,
       {.run = [&](const Progress& progress) { return run_of(flags, progress); },
        .settle = [&](RepairRun& repaired) { settle(flags, repaired); },
-       .table = write_repair_table});
+       .table =
+           [&](std::ostream& out, const RepairRun& repaired) {
+             if (flags.table.summary) return write_repair_summary(out, repaired);
+             write_repair_table(out, repaired, most_rows(flags.table));
+           }});
 }
 
 }  // namespace
@@ -172,6 +181,7 @@ void add_repair_command(CLI::App& app) {
   want_file_name(
       command.add_option("--json", flags->json, "write the report as JSON; - is standard output")
           ->type_name("FILE|-"));
+  add_table_flags(command, flags->table);
   add_thread_flag(command, flags->threads);
   add_progress_flags(command, flags->progress);
   command.footer(

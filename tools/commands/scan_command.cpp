@@ -10,8 +10,10 @@
 #include "core/base/stage.h"
 #include "core/base/threads.h"
 #include "core/scan/scan.h"
+#include "tools/flags/table_flags.h"
 #include "tools/flags/thread_flag.h"
 #include "tools/reports/report_scan.h"
+#include "tools/reports/report_summary.h"
 #include "tools/reports/scan_plot.h"
 #include "tools/runs/output_files.h"
 #include "tools/runs/read_run.h"
@@ -33,6 +35,7 @@ struct ScanFlags {
   std::string json;  // file, "-" or empty
   std::string csv;   // file, "-" or empty
   std::string svg;   // file, "-" or empty
+  TableFlags table;
 };
 
 ScanRun scanned_run(const ScanFlags& flags, const Progress& progress) {
@@ -56,10 +59,11 @@ void scan(const ScanFlags& flags) {
   if (!flags.volume.label.empty()) {
     throw InvalidArgument("scan looks for an iso value, and --label takes none; use count");
   }
+  check_table_flags(flags.table, outputs.uses_stdout());
   run_and_report<ScanRun>(
       flags.progress, outputs, run,
       {.run = [&](const Progress& progress) { return scanned_run(flags, progress); },
-       .table = write_scan_table});
+       .table = flags.table.summary ? write_scan_summary : write_scan_table});
 }
 
 }  // namespace
@@ -96,6 +100,7 @@ void add_scan_command(CLI::App& app) {
   add_output("--json", flags->json, "write the counts as JSON; - is standard output");
   add_output("--csv", flags->csv, "write one line for each iso value; - is standard output");
   add_output("--svg", flags->svg, "draw the counts as curves; - is standard output");
+  add_summary_flag(command, flags->table);
   add_thread_flag(command, flags->threads);
   add_progress_flags(command, flags->progress);
   command.footer(

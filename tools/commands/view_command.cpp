@@ -6,8 +6,10 @@
 #include <CLI/CLI.hpp>
 
 #include "core/base/errors.h"
+#include "tools/flags/table_flags.h"
 #include "tools/flags/thread_flag.h"
 #include "tools/page/page.h"
+#include "tools/reports/report_summary.h"
 #include "tools/reports/report_table.h"
 #include "tools/runs/loops_run.h"
 #include "tools/runs/mesh_comparison.h"
@@ -23,6 +25,7 @@ struct ViewFlags {
   ProgressFlags progress;
   std::string output;
   PageOptions page;
+  TableFlags table;
 };
 
 /// FILE.html, beside a folder as well.
@@ -37,16 +40,19 @@ void view_loops(const ViewFlags& typed) {
   if (flags.output.empty()) flags.output = default_page(flags.input.volume.file);
   LoopsRun run;
   OutputFiles outputs(flags.input.volume.file);
+  LeftOut left_out;
   outputs.add("--output", flags.output,
-              [&](std::ostream& out) { write_page(out, run, flags.page); });
+              [&](std::ostream& out) { left_out = write_page(out, run, flags.page); });
+  check_table_flags(flags.table, outputs.uses_stdout());
   run_and_report<LoopsRun>(
       flags.progress, outputs, run,
       {.run = [&](const Progress& progress) { return find_run(flags.input, progress); },
        .settle = [](LoopsRun& found) { compare_with_mesh(found, found.analysis); },
        .table =
            [&](std::ostream& out, const LoopsRun& found) {
-             write_table(out, found);
-             if (typed.output.empty()) out << "page: " << flags.output << '\n';
+             if (flags.table.summary) return write_loops_summary(out, found);
+             write_table(out, found, most_rows(flags.table));
+             out << "page: " << flags.output << left_out_text(left_out) << '\n';
            }});
 }
 
@@ -67,6 +73,7 @@ void add_view_command(CLI::App& app) {
                                  "FILE.html); - is standard output")
                      ->type_name("FILE|-"));
   add_page_flags(command, flags->page);
+  add_table_flags(command, flags->table);
   add_thread_flag(command, flags->input.threads);
   add_progress_flags(command, flags->progress);
   command.footer(

@@ -85,8 +85,9 @@ struct Collapse {
 
 class Simplifier {
  public:
-  explicit Simplifier(TriangleMesh mesh)
+  Simplifier(TriangleMesh mesh, HandleRule handles)
       : mesh_(std::move(mesh)),
+        handles_(handles),
         left_(mesh_.triangles.size()),
         fans_(mesh_.points.size()),
         quadrics_(mesh_.points.size()),
@@ -179,7 +180,7 @@ class Simplifier {
     common_.clear();
     std::set_intersection(around_keep_.begin(), around_keep_.end(), around_drop_.begin(),
                           around_drop_.end(), std::back_inserter(common_));
-    if (common_.size() != 2) return false;
+    if (handles_ == HandleRule::keep && common_.size() != 2) return false;
     if (around_keep_.size() == 3 && around_drop_.size() == 3) return false;  // a tetrahedron
     return !turns_over(edge.keep, edge.drop, edge.place) &&
            !turns_over(edge.drop, edge.keep, edge.place);
@@ -228,7 +229,8 @@ class Simplifier {
     for (const std::uint32_t v : around_keep_) propose(keep, v);
   }
 
-  TriangleMesh mesh_;                             // of triangles that are gone all corners are one
+  TriangleMesh mesh_;  // of triangles that are gone all corners are one
+  HandleRule handles_;
   std::size_t left_;                              // triangles
   std::vector<std::vector<std::uint32_t>> fans_;  // triangles at each vertex
   std::vector<Quadric> quadrics_;
@@ -242,11 +244,11 @@ class Simplifier {
 
 }  // namespace
 
-TriangleMesh simplified(TriangleMesh mesh, std::size_t most_triangles) {
+TriangleMesh simplified(TriangleMesh mesh, std::size_t most_triangles, HandleRule handles) {
   mesh.sources.resize(mesh.points.size());
   std::iota(mesh.sources.begin(), mesh.sources.end(), 0U);
   if (mesh.triangles.size() <= most_triangles) return mesh;
-  Simplifier simplifier(std::move(mesh));
+  Simplifier simplifier(std::move(mesh), handles);
   simplifier.reduce(most_triangles);
   return simplifier.result();
 }

@@ -15,7 +15,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "tools/drawings/simplified_mesh.h"
+#include "tools/page/drawn_surface.h"
 #include "tools/page/viewer_files.h"
 #include "tools/reports/report_features.h"
 #include "tools/reports/report_table.h"
@@ -71,27 +71,8 @@ Box box_of(const LoopsRun& run) {
   return box;
 }
 
-/// The surface as the page shows it.
-struct DrawnMesh {
-  TriangleMesh mesh;
-  std::vector<std::uint32_t> point_of_vertex;  // of M; `not_drawn` where it is gone
-};
-
-constexpr auto not_drawn = static_cast<std::uint32_t>(-1);
-
-DrawnMesh drawn_mesh(const LoopsRun& run, const PageOptions& options) {
-  DrawnMesh drawn;
-  for (const auto& point : run.analysis.surface.points)
-    drawn.mesh.points.push_back(world_point(run, point));
-  drawn.point_of_vertex.assign(drawn.mesh.points.size(), not_drawn);
-  drawn.mesh.triangles = run.analysis.surface.triangles;
-  drawn.mesh = simplified(std::move(drawn.mesh), options.most_triangles);
-  for (std::uint32_t point = 0; point < drawn.mesh.points.size(); ++point)
-    drawn.point_of_vertex[drawn.mesh.sources[point]] = point;
-  return drawn;
-}
-
-Json mesh_of(const LoopsRun& run, const Box& box, const TriangleMesh& mesh) {
+Json mesh_of(const LoopsRun& run, const Box& box, const DrawnSurface& drawn) {
+  const TriangleMesh& mesh = drawn.mesh;
   std::vector<std::uint8_t> positions;
   for (const Vec3& point : mesh.points) append_point(positions, box, point);
   const bool mirrored = frame_mirrors(run.volume);
@@ -99,10 +80,12 @@ Json mesh_of(const LoopsRun& run, const Box& box, const TriangleMesh& mesh) {
   for (const auto& [a, b, c] : mesh.triangles)
     for (const std::uint32_t corner : {a, mirrored ? c : b, mirrored ? b : c})
       append_little_endian(corners, corner);
-  return {{"vertices", mesh.points.size()},
-          {"triangles", mesh.triangles.size()},
-          {"positions", base64(positions)},
-          {"corners", base64(corners)}};
+  Json pieces = Json::array();
+  for (const DrawnPiece& piece : drawn.pieces)
+    pieces.push_back({piece.component, piece.triangles, piece.area});
+  return {{"vertices", mesh.points.size()},       {"triangles", mesh.triangles.size()},
+          {"same_topology", drawn.same_topology}, {"pieces", std::move(pieces)},
+          {"positions", base64(positions)},       {"corners", base64(corners)}};
 }
 
 /// Seven bits a byte, the low ones first; the eighth bit of all but the last byte is 1 (LEB128).
@@ -113,7 +96,7 @@ void append_varying(std::vector<std::uint8_t>& bytes, std::uint32_t number) {
 
 /// The points of the drawn mesh that lie in the feature: how many to pass over, how many to take,
 /// and so on.
-std::string points_of(const Feature& feature, const DrawnMesh& drawn) {
+std::string points_of(const Feature& feature, const DrawnSurface& drawn) {
   std::vector<std::uint8_t> bytes;
   std::uint32_t last = 0;  // end of the last run
   std::uint32_t start = 0;
@@ -137,7 +120,7 @@ std::string points_of(const Feature& feature, const DrawnMesh& drawn) {
   return base64(bytes);
 }
 
-Json loop_of(const LoopsRun& run, const Box& box, const DrawnMesh& drawn, const Loop& loop) {
+Json loop_of(const LoopsRun& run, const Box& box, const DrawnSurface& drawn, const Loop& loop) {
   Json curves = Json::array();
   for (const std::vector<Vec3>& curve : drawn_curves(run.analysis.surface, loop)) {
     std::vector<std::uint8_t> points;
@@ -202,38 +185,80 @@ Json blocks_of(const LoopsRun& run, const PageOptions& options) {
           {"values", base64(bytes)}};
 }
 
-Json data_of(const LoopsRun& run, const PageOptions& options) {
+/// The loops of a page, and what it lacks.
+struct PageLoops {
+  Json drawn = Json::array();  // in the order of the report
+  std::size_t left_out = 0;
+  double size_left_out = 0.0;  // of the largest of these
+};
+
+/// The largest loops whose text has room.
+PageLoops loops_of(const LoopsRun& run, const Box& box, const DrawnSurface& drawn,
+                   std::size_t most_bytes) {
+  PageLoops loops;
+  std::vector<std::pair<std::size_t, Json>> chosen;
+  std::size_t bytes = 0;
+  for (const std::size_t place : largest_first(run.reported)) {
+    Json loop = loop_of(run, box, drawn, run.reported[place]);
+    bytes += loop.dump().size();
+    if (bytes > most_bytes) {
+      loops.left_out = run.reported.size() - chosen.size();
+      loops.size_left_out = run.reported[place].size;
+      break;
+    }
+    chosen.emplace_back(place, std::move(loop));
+  }
+  std::sort(chosen.begin(), chosen.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (auto& [place, loop] : chosen) loops.drawn.push_back(std::move(loop));
+  return loops;
+}
+
+/// Text and what it lacks.
+struct PageData {
+  Json json;
+  LeftOut left_out;
+};
+
+PageData data_of(const LoopsRun& run, const PageOptions& options) {
   const Surface& surface = run.analysis.surface;
   const Betti& betti = run.analysis.betti;
   const Volume& volume = run.volume;
   const Box box = box_of(run);
-  const DrawnMesh drawn = drawn_mesh(run, options);
-  Json loops = Json::array();
-  for (const Loop& loop : run.reported) loops.push_back(loop_of(run, box, drawn, loop));
-  return {{"schema", "isoloop/page/1"},
-          {"file", run.file},
-          {"dims", volume.dims},
-          {"type", type_name(volume.values)},
-          {"spacing", volume.spacing},
-          {"origin", volume.origin},
-          {"direction", volume.direction},
-          {"frame", frame_text(volume.frame)},
-          {"iso", run.level.iso},
-          {"inside", inside_text(run)},
-          {"open", surface.boundary == Boundary::open},
-          {"decimals", length_decimals(volume.spacing)},
-          {"surface",
-           {{"vertices", surface.points.size()},
-            {"triangles", surface.triangles.size()},
-            {"components", surface.components.size()},
-            {"euler", surface.euler()},
-            {"genus", surface.genus()}}},
-          {"betti", {{"b0", betti.b0}, {"b1", betti.b1}, {"b2", betti.b2}}},
-          {"found", run.analysis.loops.size()},
-          {"box", {{"lower", box.lower}, {"upper", box.upper}}},
-          {"mesh", mesh_of(run, box, drawn.mesh)},
-          {"volume", blocks_of(run, options)},
-          {"loops", std::move(loops)}};
+  const DrawnSurface drawn = drawn_surface(run, options.most_triangles, options.most_pieces);
+  PageLoops loops = loops_of(run, box, drawn, options.most_loop_bytes);
+  const LeftOut left_out{.pieces = drawn.pieces_left_out, .loops = loops.left_out};
+  Json json{{"schema", "isoloop/page/1"},
+            {"file", run.file},
+            {"dims", volume.dims},
+            {"type", type_name(volume.values)},
+            {"spacing", volume.spacing},
+            {"origin", volume.origin},
+            {"direction", volume.direction},
+            {"frame", frame_text(volume.frame)},
+            {"iso", run.level.iso},
+            {"inside", inside_text(run)},
+            {"open", surface.boundary == Boundary::open},
+            {"decimals", length_decimals(volume.spacing)},
+            {"unit", volume.unit},
+            {"surface",
+             {{"vertices", surface.points.size()},
+              {"triangles", surface.triangles.size()},
+              {"components", surface.components.size()},
+              {"euler", surface.euler()},
+              {"genus", surface.genus()}}},
+            {"betti", {{"b0", betti.b0}, {"b1", betti.b1}, {"b2", betti.b2}}},
+            {"found", run.analysis.loops.size()},
+            {"box", {{"lower", box.lower}, {"upper", box.upper}}},
+            {"left_out",
+             {{"pieces", drawn.pieces_left_out},
+              {"piece_area", drawn.area_left_out},
+              {"loops", loops.left_out},
+              {"loop_size", loops.size_left_out}}},
+            {"mesh", mesh_of(run, box, drawn)},
+            {"volume", blocks_of(run, options)},
+            {"loops", std::move(loops.drawn)}};
+  return {std::move(json), left_out};
 }
 
 std::string html_text(std::string_view text) {
@@ -279,7 +304,19 @@ void add_page_flags(CLI::App& command, PageOptions& options) {
       1);
 }
 
-void write_page(std::ostream& out, const LoopsRun& run, const PageOptions& options) {
+std::string left_out_text(const LeftOut& left_out) {
+  const auto count = [](std::size_t n, const std::string& one, const std::string& many) {
+    return counted(static_cast<std::int64_t>(n), one, many);
+  };
+  std::string text;
+  if (left_out.pieces > 0) text += count(left_out.pieces, "small piece", "small pieces");
+  if (left_out.pieces > 0 && left_out.loops > 0) text += " and ";
+  if (left_out.loops > 0) text += count(left_out.loops, "small loop", "small loops");
+  return text.empty() ? text : ", which leaves out " + text;
+}
+
+LeftOut write_page(std::ostream& out, const LoopsRun& run, const PageOptions& options) {
+  const PageData data = data_of(run, options);
   std::string page;
   for (const std::string_view piece : viewer_page()) page += piece;
   std::size_t at = 0;
@@ -294,10 +331,11 @@ void write_page(std::ostream& out, const LoopsRun& run, const PageOptions& optio
   write_until("{{plot}}");
   out << plot_text(run);
   write_until("{{data}}");
-  out << script_text(data_of(run, options));
+  out << script_text(data.json);
   write_until("{{viewer}}");
   for (const std::string_view piece : viewer_script()) out << piece;
   out << std::string_view(page).substr(at);
+  return data.left_out;
 }
 
 }  // namespace isoloop

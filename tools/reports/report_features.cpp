@@ -92,13 +92,17 @@ Vec3 world_axis(const LoopsRun& run, const Feature& feature) {
   return world;
 }
 
-void write_features(std::ostream& out, const LoopsRun& run) {
+void write_features(std::ostream& out, const LoopsRun& run, std::size_t most_rows) {
   if (run.reported.empty()) return;
-  std::vector<Row<9>> rows{
-      {"id", "kind", "label", "area", "depth", "thickness", "least girth", "mean girth", "axis"}};
-  for (const Loop& loop : run.reported) rows.push_back(row_of(run, loop));
+  const Volume& volume = run.volume;
+  std::vector<Row<9>> rows{{"id", "kind", "label", with_unit("area", volume, 2),
+                            with_unit("depth", volume), with_unit("thickness", volume),
+                            with_unit("least girth", volume), with_unit("mean girth", volume),
+                            "axis"}};
+  for (const Loop* loop : loops_in_rows(run, most_rows)) rows.push_back(row_of(run, *loop));
   out << "\nfeatures\n";
   write_rows(out, rows, {false, true, false, false, false, false, false, false, false});
+  write_more(out, rows.size() - 1, run.reported.size());
 }
 
 nlohmann::ordered_json feature_json(const LoopsRun& run, const Loop& loop) {

@@ -19,8 +19,9 @@ std::size_t place_of(const LoopsRun& run, const Loop& loop);
 /// The feature's axis in the frame of the volume.
 Vec3 world_axis(const LoopsRun& run, const Feature& feature);
 
-/// One row for each reported loop: label, area, depth, thickness, girths and axis of its feature.
-void write_features(std::ostream& out, const LoopsRun& run);
+/// One row for each reported loop, as write_table() has them: label, area, depth, thickness, girths
+/// and axis of its feature.
+void write_features(std::ostream& out, const LoopsRun& run, std::size_t most_rows = 0);
 
 /// `label`, `area`, `axis` (in the frame of the volume), `depth`, `thickness`, `least_girth`,
 /// `mean_girth`.

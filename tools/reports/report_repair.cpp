@@ -13,6 +13,7 @@
 #include "tools/reports/report_table.h"
 #include "tools/words/number_text.h"
 #include "tools/words/sentence.h"
+#include "tools/words/text_rows.h"
 #include "volume/base/memory_limit.h"
 
 namespace isoloop {
@@ -49,29 +50,48 @@ void write_counts(std::ostream& out, const Repair& repair) {
   row("cavities", repair.before.betti.b2, repair.after.betti.b2);
 }
 
-void write_removals(std::ostream& out, const RepairRun& run) {
-  if (run.repair.removals.empty()) return;
-  const int decimals = length_decimals(run.volume.spacing);
-  out << "\nround  loop          length  done             voxels  centre (index)\n";
-  for (const Removal& removal : run.repair.removals) {
-    std::string done = action_text(removal.action);
-    if (removal.by.kind != removal.loop.kind) done.append(" ").append(text_of(removal.by));
-    out << std::right << std::setw(5) << removal.round << "  " << std::left << std::setw(12)
-        << text_of(removal.loop) << std::right << std::setw(8)
-        << fixed_text(removal.length, decimals) << "  " << std::left << std::setw(16) << done
-        << std::right << std::setw(7) << removal.voxels << "  " << center_text(removal.center_index)
-        << '\n';
-  }
+/// In their order, or the `most_rows` longest if that is above 0.
+template <class Item>
+std::vector<const Item*> items_in_rows(const std::vector<Item>& items, std::size_t most_rows) {
+  std::vector<const Item*> chosen;
+  for (const Item& item : items) chosen.push_back(&item);
+  if (most_rows == 0) return chosen;
+  std::stable_sort(chosen.begin(), chosen.end(),
+                   [](const Item* a, const Item* b) { return a->length > b->length; });
+  chosen.resize(std::min(chosen.size(), most_rows));
+  return chosen;
 }
 
-void write_kept(std::ostream& out, const RepairRun& run) {
+std::string done_text(const Removal& removal) {
+  const std::string done = action_text(removal.action);
+  return removal.by.kind == removal.loop.kind ? done : done + ' ' + text_of(removal.by);
+}
+
+void write_removals(std::ostream& out, const RepairRun& run, std::size_t most_rows) {
+  if (run.repair.removals.empty()) return;
+  const int decimals = length_decimals(run.volume.spacing);
+  std::vector<Row<6>> rows{
+      {"round", "loop", with_unit("length", run.volume), "done", "voxels", "centre (index)"}};
+  for (const Removal* removal : items_in_rows(run.repair.removals, most_rows))
+    rows.push_back({std::to_string(removal->round), text_of(removal->loop),
+                    fixed_text(removal->length, decimals), done_text(*removal),
+                    std::to_string(removal->voxels), center_text(removal->center_index)});
+  out << '\n';
+  write_rows(out, rows, {false, true, false, true, false, true});
+  write_more(out, rows.size() - 1, run.repair.removals.size());
+}
+
+void write_kept(std::ostream& out, const RepairRun& run, std::size_t most_rows) {
   if (run.repair.kept.empty()) return;
   const int decimals = length_decimals(run.volume.spacing);
-  out << "\nround  cannot be removed  length  centre (index)\n";
-  for (const KeptLoop& kept : run.repair.kept)
-    out << std::right << std::setw(5) << kept.round << "  " << std::left << std::setw(17)
-        << text_of(kept.loop) << std::right << std::setw(8) << fixed_text(kept.length, decimals)
-        << "  " << center_text(kept.center_index) << '\n';
+  std::vector<Row<4>> rows{
+      {"round", "cannot be removed", with_unit("length", run.volume), "centre (index)"}};
+  for (const KeptLoop* kept : items_in_rows(run.repair.kept, most_rows))
+    rows.push_back({std::to_string(kept->round), text_of(kept->loop),
+                    fixed_text(kept->length, decimals), center_text(kept->center_index)});
+  out << '\n';
+  write_rows(out, rows, {false, true, false, true});
+  write_more(out, rows.size() - 1, run.repair.kept.size());
 }
 
 Json counts_of(const Analysis& analysis) {
@@ -108,21 +128,23 @@ Json removal_of(const RepairRun& run, const Removal& removal) {
 
 }  // namespace
 
-void write_repair_table(std::ostream& out, const RepairRun& run) {
+void write_repair_table(std::ostream& out, const RepairRun& run, std::size_t most_rows) {
   const Repair& repair = run.repair;
   out << run.file << ": " << dims_text(run.volume.dims) << ' ' << type_name(run.volume.values)
       << ", inside is " << inside_text(run) << "\n\n";
   write_counts(out, repair);
-  write_removals(out, run);
-  write_kept(out, run);
-  const int decimals = length_decimals(run.volume.spacing);
-  const double volume = voxel_volume(run);
+  write_removals(out, run, most_rows);
+  write_kept(out, run, most_rows);
+  const auto volume_of = [&](std::int64_t voxels) {
+    return "(volume " +
+           fixed_text(static_cast<double>(voxels) * voxel_volume(run),
+                      length_decimals(run.volume.spacing)) +
+           (run.volume.unit.empty() ? "" : " " + run.volume.unit + "³") + ")";
+  };
   out << '\n'
       << counted(static_cast<std::int64_t>(repair.changes.size()), "voxel", "voxels")
-      << " changed: " << repair.added_voxels << " filled (volume "
-      << fixed_text(static_cast<double>(repair.added_voxels) * volume, decimals) << "), "
-      << repair.removed_voxels << " cut away (volume "
-      << fixed_text(static_cast<double>(repair.removed_voxels) * volume, decimals) << ")";
+      << " changed: " << repair.added_voxels << " filled " << volume_of(repair.added_voxels) << ", "
+      << repair.removed_voxels << " cut away " << volume_of(repair.removed_voxels);
   if (repair.shifted_voxels > 0)
     out << ", " << repair.shifted_voxels << " shifted on the side that they were on";
   out << '\n';

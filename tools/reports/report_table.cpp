@@ -17,6 +17,8 @@ namespace isoloop {
 namespace {
 
 constexpr std::size_t most_components = 20;  // rows of the table; JSON has all
+constexpr std::size_t many_loops = 100;
+constexpr double voxels_of_noise = 3.0;  // size of the loops of a noisy surface, but for few
 
 std::string point_text(const Vec3& point, int decimals) {
   std::string text = "(";
@@ -154,20 +156,39 @@ void write_total(std::ostream& out, const LoopsRun& run, LoopKind kind) {
   }
   const int decimals = length_decimals(run.volume.spacing);
   out << "total length of " << counted(loops, name_of(kind), name_of(kind) + "s") << ": "
-      << fixed_text(length, decimals);
+      << fixed_text(length, decimals) << (run.volume.unit.empty() ? "" : " " + run.volume.unit);
   if (run.tighten != Tighten::none) out << " (as found: " << fixed_text(found, decimals) << ')';
   out << '\n';
 }
 
-void write_loops(std::ostream& out, const LoopsRun& run) {
-  if (!run.reported.empty()) {
-    std::vector<Row<10>> rows{{"id", "kind", "fix", "length", "size", "centre (index)",
-                               "centre (world)", "component", "curves", "certificate"}};
-    for (const Loop& loop : run.reported) rows.push_back(row_of(loop, run.volume));
-    out << '\n';
-    write_rows(out, rows, {false, true, true, false, false, false, false, false, false, true});
-  }
+void write_rows_of_loops(std::ostream& out, const LoopsRun& run, std::size_t most_rows) {
+  if (run.reported.empty()) return;
+  std::vector<Row<10>> rows{{"id", "kind", "fix", with_unit("length", run.volume),
+                             with_unit("size", run.volume), "centre (index)", "centre (world)",
+                             "component", "curves", "certificate"}};
+  for (const Loop* loop : loops_in_rows(run, most_rows)) rows.push_back(row_of(*loop, run.volume));
   out << '\n';
+  write_rows(out, rows, {false, true, true, false, false, false, false, false, false, true});
+  write_more(out, rows.size() - 1, run.reported.size());
+}
+
+/// Where most of many loops are as small as those of noise.
+void write_size_hint(std::ostream& out, const LoopsRun& run) {
+  const Vec3& spacing = run.volume.spacing;
+  const double size = voxels_of_noise * std::min({spacing[0], spacing[1], spacing[2]});
+  const auto small =
+      static_cast<std::size_t>(std::count_if(run.reported.begin(), run.reported.end(),
+                                             [&](const Loop& loop) { return loop.size < size; }));
+  if (run.reported.size() < many_loops || 2 * small <= run.reported.size()) return;
+  out << "note: " << small << " of " << run.reported.size()
+      << " loops have a size below 3 voxels, as noise has; --min-size " << shortest_text(size)
+      << " leaves them out\n";
+}
+
+void write_loops(std::ostream& out, const LoopsRun& run, std::size_t most_rows) {
+  write_rows_of_loops(out, run, most_rows);
+  out << '\n';
+  write_size_hint(out, run);
   const bool open = run.analysis.surface.boundary == Boundary::open;
   if (open) write_total(out, run, LoopKind::loop);
   if (!open && run.filter.handles) write_total(out, run, LoopKind::handle);
@@ -258,6 +279,11 @@ std::string unit_text(const Volume& volume) {
   return volume.unit.empty() ? "unit of the spacing" : volume.unit;
 }
 
+std::string with_unit(const std::string& name, const Volume& volume, int power) {
+  if (volume.unit.empty()) return name;
+  return name + " (" + volume.unit + (power == 2 ? "²" : power == 3 ? "³" : "") + ")";
+}
+
 std::string frame_comment(const RunInput& run) {
   const Vec3& spacing = run.volume.spacing;
   return "frame " + frame_text(run.volume.frame) + ", spacing " + shortest_text(spacing[0]) + ' ' +
@@ -270,9 +296,25 @@ void write_count_table(std::ostream& out, const CountRun& run) {
   write_hint(out, run);
 }
 
-void write_table(std::ostream& out, const LoopsRun& run) {
+std::vector<const Loop*> loops_in_rows(const LoopsRun& run, std::size_t most_rows) {
+  std::vector<const Loop*> loops;
+  if (most_rows == 0) {
+    for (const Loop& loop : run.reported) loops.push_back(&loop);
+    return loops;
+  }
+  std::vector<std::size_t> places = largest_first(run.reported);
+  places.resize(std::min(places.size(), most_rows));
+  for (const std::size_t place : places) loops.push_back(&run.reported[place]);
+  return loops;
+}
+
+void write_more(std::ostream& out, std::size_t rows, std::size_t all) {
+  if (rows < all) out << "and " << all - rows << " more: --top 0 shows all, --json lists all\n";
+}
+
+void write_table(std::ostream& out, const LoopsRun& run, std::size_t most_rows) {
   write_head(out, run);
-  write_loops(out, run);
+  write_loops(out, run, most_rows);
   write_hint(out, run);
 }
 

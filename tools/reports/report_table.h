@@ -1,7 +1,10 @@
 // The table that people read first.
 #pragma once
 
+#include <cstddef>
 #include <ostream>
+#include <string>
+#include <vector>
 
 #include "tools/runs/run_result.h"
 
@@ -12,9 +15,17 @@ namespace isoloop {
 void write_count_table(std::ostream& out, const CountRun& run);
 
 /// Writes the counts, then one row for each reported loop, the total length of each kind and what
-/// was verified. Lengths, sizes and centres are in the unit of the spacing, with the digits that a
-/// hundredth of a voxel asks for.
-void write_table(std::ostream& out, const LoopsRun& run);
+/// was verified. With `most_rows` above 0 the rows are those of so many largest loops, these first,
+/// and how many more there are is said. Lengths, sizes and centres are in the unit of the spacing,
+/// which stands in the heads where the file states it, with the digits that a hundredth of a voxel
+/// asks for.
+void write_table(std::ostream& out, const LoopsRun& run, std::size_t most_rows = 0);
+
+/// The reported loops in the order of the table's rows.
+std::vector<const Loop*> loops_in_rows(const LoopsRun& run, std::size_t most_rows);
+
+/// "and 12 more: --top 0 shows all, --json lists all"; nothing if `rows` are `all`.
+void write_more(std::ostream& out, std::size_t rows, std::size_t all);
 
 /// "256 x 256 x 128 uint8", and which part of the file that is, unless it is all of it.
 std::string volume_text(const Volume& volume);
@@ -46,6 +57,9 @@ std::string frame_text(Frame frame);
 
 /// The unit of lengths: "µm" and the like, "unit of the spacing" where the file does not state it.
 std::string unit_text(const Volume& volume);
+
+/// `name`, and in brackets the unit that the file states, to the power: "area (mm²)".
+std::string with_unit(const std::string& name, const Volume& volume, int power = 1);
 
 /// "frame index, spacing 1 1 1 in the unit of lengths": for comments in files. At most 70
 /// characters unless the spacing takes many digits.

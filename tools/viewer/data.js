@@ -47,6 +47,9 @@ export function readData() {
   data.extent = Math.hypot(...upper.map((x, a) => x - lower[a])) || 1;
   data.mesh.points = points(data.mesh.positions);
   data.mesh.index = new Uint32Array(bytesOf(data.mesh.corners).buffer);
+  data.mesh.pieces = data.mesh.pieces.map(([component, triangles, area]) => (
+    { component, triangles, area }));
+  const areas = new Map(data.mesh.pieces.map((piece) => [piece.component, piece.area]));
   data.volume.bytes = bytesOf(data.volume.values);
   for (const part of [data.mesh, data.volume]) {
     delete part.positions;
@@ -55,6 +58,7 @@ export function readData() {
   }
   data.loops.forEach((loop, number) => {
     loop.number = number;
+    loop.pieceArea = areas.get(loop.component) ?? 0; // of one that is not drawn: less than all
     loop.size = loop.size === null ? Infinity : loop.size;
     loop.curves = loop.curves.map(points);
     if (loop.feature) loop.feature.points = rangesOf(loop.feature.points);

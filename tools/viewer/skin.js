@@ -15,11 +15,22 @@ export class Skin {
     geometry.setAttribute('color', this.colours);
     geometry.setIndex(new THREE.BufferAttribute(data.mesh.index, 1));
     geometry.computeVertexNormals();
+    this.geometry = geometry;
     this.material = new THREE.MeshLambertMaterial({
       vertexColors: true, transparent: true, depthWrite: false, side: THREE.DoubleSide,
     });
     this.mesh = new THREE.Mesh(geometry, this.material);
     this.mesh.renderOrder = 2; // over the tubes: it is see-through
+  }
+
+  /// Shows the pieces whose area is `least` or more; they come the largest first.
+  showPieces(least) {
+    let triangles = 0;
+    for (const piece of this.data.mesh.pieces) {
+      if (piece.area < least) break;
+      triangles += piece.triangles;
+    }
+    this.geometry.setDrawRange(0, 3 * triangles);
   }
 
   /// Tints the features of these loops; where they overlap, the shortest loop's is seen. `opacity`:

@@ -4,14 +4,20 @@ const rowsAtOnce = 250;
 
 const columns = [
   { name: 'loop', value: (l) => [l.kind, l.id], text: null },
-  { name: 'size', value: (l) => l.size, text: (l, d) => number(l.size, d.decimals) },
-  { name: 'length', value: (l) => l.length, text: (l, d) => number(l.length, d.decimals) },
+  { name: 'size', isLength: true, value: (l) => l.size, text: (l, d) => number(l.size, d.decimals) },
+  { name: 'length', isLength: true, value: (l) => l.length, text: (l, d) => number(l.length, d.decimals) },
   { name: 'centre (world)', value: (l) => l.world, text: (l, d) => point(l.world, d.decimals) },
   { name: 'voxel', value: (l) => l.index, text: (l) => point(l.index, 0) },
 ];
 
 export function number(x, decimals) {
   return Number.isFinite(x) ? x.toFixed(decimals) : '\u221e';
+}
+
+/// The same with the unit that the file states.
+export function length(x, data, power = '') {
+  return Number.isFinite(x) ? `${number(x, data.decimals)} ${data.unit ? data.unit + power : ''}`.trim()
+                            : '\u221e';
 }
 
 export function point(p, decimals) {
@@ -50,7 +56,8 @@ export class LoopTable {
       cell.scope = 'col';
       const button = document.createElement('button');
       button.type = 'button';
-      button.textContent = column.name;
+      const unit = column.isLength && this.data.unit;
+      button.textContent = unit ? `${column.name} (${unit})` : column.name;
       button.addEventListener('click', () => {
         this.sort = { column: i, down: this.sort.column === i && !this.sort.down };
         this.update();

@@ -4,10 +4,10 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdtempSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { join, resolve } from 'node:path';
 import puppeteer from 'puppeteer-core';
 
-const [isoloop, volumes] = process.argv.slice(2);
+const [isoloop, volumes] = process.argv.slice(2).map((path) => resolve(path));
 const work = mkdtempSync(join(tmpdir(), 'isoloop-viewer-'));
 const engine = join(volumes, 'engine_256x256x128_uint8.raw');
 const patience = { timeout: 240000 };
@@ -93,6 +93,8 @@ const tests = {
     run('view', 'torus.nrrd', '--inside', 'below', '--iso', '0', '-o', 'torus.html');
     const { page, trouble } = await open('torus.html');
     assert.equal((await state(page)).tubes, 2);
+    const isSeen = (id) => page.$eval(id, (e) => e.closest('.row').getClientRects().length > 0);
+    assert.ok(await isSeen('#least') && !await isSeen('#piece'), 'there is one piece alone');
     const all = await pixels(page);
     assert.ok(all.green > 200 && all.red > 200 && all.grey > 5000, JSON.stringify(all));
     assert.ok(all.corner > 240, 'light');
@@ -144,6 +146,89 @@ const tests = {
     await page.$eval('#least', (e) => { e.value = '1000'; e.dispatchEvent(new Event('input')); });
     assert.equal(await rows(), (await state(page)).tubes);
     assert.equal(await rows(), 1);
+  },
+
+  async 'the slider of the largest size takes large loops away'() {
+    const { page } = await open('torus.html');
+    const ids = () => page.$$eval('#rows tr', (rows) => rows.map((r) => r.cells[0].textContent));
+    const before = await ids();
+    await page.$eval('#most', (e) => { e.value = '999'; e.dispatchEvent(new Event('input')); });
+    const after = await ids();
+    assert.equal(after.length, 1);
+    await page.$eval('#least', (e) => { e.value = '1000'; e.dispatchEvent(new Event('input')); });
+    assert.equal((await ids()).length, 0);
+    await page.$eval('#most', (e) => { e.value = '1000'; e.dispatchEvent(new Event('input')); });
+    assert.deepEqual([...after, ...await ids()].sort(), before.sort());
+  },
+
+  async 'a bar says how long lengths are, in the unit of the file'() {
+    const { page } = await open('torus.html');
+    const bar = () => page.evaluate(() => {
+      const viewer = window.isoloop;
+      viewer.draw();
+      // What the bar measures: a way across the picture where the camera turns.
+      const text = document.getElementById('scale-text').textContent;
+      const pixels = document.getElementById('scale-bar').getBoundingClientRect().width;
+      const across = viewer.camera.position.clone().sub(viewer.controls.target).normalize();
+      across.cross(viewer.camera.up).normalize().multiplyScalar(parseFloat(text));
+      const end = viewer.controls.target.clone().add(across).project(viewer.camera);
+      return { text, pixels, expected: Math.abs(end.x / 2) * viewer.canvas.clientWidth };
+    });
+    const far = await bar();
+    assert.ok(Math.abs(far.pixels - far.expected) < 4, JSON.stringify(far));
+    assert.ok(far.pixels > 40 && far.pixels < 140, JSON.stringify(far));
+    await page.focus('canvas');
+    for (let i = 0; i < 12; ++i) await page.keyboard.press('+');
+    const near = await bar();
+    assert.ok(parseFloat(near.text) < parseFloat(far.text), JSON.stringify([far, near]));
+    assert.ok(Math.abs(near.pixels - near.expected) < 4, JSON.stringify(near));
+    run('view', 'torus.nrrd', '--inside', 'below', '--iso', '0', '--spacing', '0.5mm', '-o', 'mm.html');
+    const stated = await open('mm.html');
+    assert.match(await stated.page.$eval('#scale-text', (e) => e.textContent), / mm$/);
+    assert.match(await stated.page.$eval('#head', (e) => e.textContent), /size \(mm\)length \(mm\)/);
+    assert.deepEqual(stated.trouble, []);
+  },
+
+  async 'a million pieces: 15 MB, 5 s; small ones are left out, said, and can be hidden'() {
+    const n = 201; // one ball, and a voxel at every other place but near it
+    const bytes = new Uint8Array(n ** 3);
+    for (let z = 1; z < n; ++z) for (let y = 1; y < n; ++y) for (let x = 1; x < n; ++x) {
+      const ball = Math.hypot(x - 100, y - 100, z - 100) - 12;
+      if (ball < 0 || (ball > 3 && x % 2 && y % 2 && z % 2)) bytes[x + n * (y + n * z)] = 200;
+    }
+    writeFileSync(join(work, `dust_${n}x${n}x${n}_uint8.raw`), bytes);
+    const start = Date.now();
+    run('view', `dust_${n}x${n}x${n}_uint8.raw`, '--iso', '100', '-o', 'dust.html');
+    const seconds = (Date.now() - start) / 1000;
+    const size = statSync(join(work, 'dust.html')).size;
+    assert.ok(size <= 15e6, `${size} bytes`);
+    const { page, trouble } = await open('dust.html');
+    const { firstPicture } = await state(page);
+    console.log(`     ${seconds} s, ${size} bytes, first picture after ${Math.round(firstPicture)} ms`);
+    assert.ok(firstPicture <= 5000, `first picture after ${firstPicture} ms`);
+    assert.match(await page.$eval('#left-out', (p) => p.textContent),
+                 /^Left out, being small: 99\d{4} of 99\d{4} pieces of the surface, of area \d/);
+    const drawn = () => page.evaluate(() => window.isoloop.skin.geometry.drawRange.count / 3);
+    const all = await drawn();
+    assert.ok(all > 20000, `${all} triangles`);
+    await page.$eval('#piece', (e) => { e.value = '1000'; e.dispatchEvent(new Event('input')); });
+    const ball = await drawn();
+    assert.ok(ball > 100 && ball < all / 2, `${ball} triangles`);
+    assert.deepEqual(trouble, []);
+  },
+
+  async 'a noisy scan of 8 732 loops: 15 MB, 5 s'() {
+    const knee = join(volumes, 'MRknee_128x128x128_uint8.raw');
+    if (!existsSync(knee)) return `needs ${knee}`;
+    run('view', knee, '--iso', '80', '-o', 'knee.html');
+    const size = statSync(join(work, 'knee.html')).size;
+    assert.ok(size <= 15e6, `${size} bytes`);
+    const { page, trouble } = await open('knee.html');
+    const { tubes, firstPicture } = await state(page);
+    console.log(`     ${size} bytes, first picture after ${Math.round(firstPicture)} ms`);
+    assert.equal(tubes, 8732);
+    assert.ok(firstPicture <= 5000, `first picture after ${firstPicture} ms`);
+    assert.deepEqual(trouble, []);
   },
 
   async 'the slice shows the voxels'() {

@@ -2,9 +2,10 @@
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { frameOf, readData } from './data.js';
+import { ScaleBar } from './scale.js';
 import { Skin } from './skin.js';
 import { Slice } from './slice.js';
-import { LoopTable, number, point } from './table.js';
+import { LoopTable, length, point } from './table.js';
 import { makeTubes } from './tubes.js';
 
 const colours = { handle: '#00a028', tunnel: '#dc1414', loop: '#1e5ae6' };
@@ -23,12 +24,30 @@ function describe(data) {
     : [plural(betti.b0, 'component', 'components'), plural(betti.b1, 'tunnel', 'tunnels'),
        plural(betti.b2, 'cavity', 'cavities')];
   const frame = data.frame === 'index' ? 'index \u00d7 spacing' : data.frame;
+  const whole = data.left_out.pieces === 0 ? ' of the same topology' : '';
+  const how = data.mesh.same_topology ? whole : ', without its smallest handles';
   const simplified = data.mesh.triangles < surface.triangles
-    ? `, drawn with ${data.mesh.triangles} of the same topology` : '';
+    ? `, drawn with ${data.mesh.triangles}${how}` : '';
   element('counts').textContent =
     `${counts.join(', ')}; ${data.dims.join(' \u00d7 ')} ${data.type}, spacing ` +
-    `${data.spacing.join(' ')}; world is ${frame}, lengths in the unit of the spacing; ` +
+    `${data.spacing.join(' ')}; world is ${frame}, lengths in ${data.unit || 'the unit of the spacing'}; ` +
     `surface of ${surface.triangles} triangles${simplified}`;
+  element('left-out').textContent = leftOut(data);
+}
+
+/// What the page lacks, in a sentence.
+function leftOut(data) {
+  const { pieces, piece_area: area, loops, loop_size: size } = data.left_out;
+  const parts = [];
+  if (pieces > 0) {
+    parts.push(`${pieces} of ${data.surface.components} pieces of the surface, ` +
+               `of area ${length(area, data, '\u00b2')} and less`);
+  }
+  if (loops > 0) {
+    parts.push(`${loops} of ${loops + data.loops.length} loops, ` +
+               `of size ${length(size ?? Infinity, data)} and less`);
+  }
+  return parts.length === 0 ? '' : `Left out, being small: ${parts.join('; ')}.`;
 }
 
 class Viewer {
@@ -49,6 +68,7 @@ class Viewer {
     this.addLights();
     this.skin = new Skin(data);
     this.scene.add(this.skin.mesh);
+    this.scaleBar = new ScaleBar(data, this.camera, this.controls);
     this.addTubes();
     this.slice = new Slice(data, this.scene, () => this.redraw());
     this.table = new LoopTable(data, (n) => this.choose(n));
@@ -86,7 +106,7 @@ class Viewer {
   addEvents() {
     const listen = (id, event, action) => element(id).addEventListener(event, action);
     for (const id of ['handles', 'tunnels']) listen(id, 'change', () => this.applyFilter());
-    listen('least', 'input', () => this.applyFilter());
+    for (const id of ['least', 'most', 'piece']) listen(id, 'input', () => this.applyFilter());
     listen('opacity', 'input', () => this.paint());
     listen('features', 'change', () => this.paint());
     listen('home', 'click', () => { this.choose(undefined); this.home(true); });
@@ -104,20 +124,29 @@ class Viewer {
     });
     const sized = this.data.loops.map((l) => l.size).filter(Number.isFinite);
     this.largest = sized.reduce((a, b) => Math.max(a, b), 0);
+    element('piece').closest('.row').hidden = this.data.mesh.pieces.length < 2;
     if (this.data.open) element('handles').closest('.row').hidden = true;
     element('features').closest('label').hidden = !this.data.loops.some((loop) => loop.feature);
   }
 
-  /// The least size that is shown; fine steps for small sizes.
-  leastSize() {
-    return this.largest * (Number(element('least').value) / 1000) ** 3;
+  /// Where a slider stands between 0 and `largest`; fine steps for small values.
+  shareOf(id, largest) {
+    return largest * (Number(element(id).value) / 1000) ** 3;
   }
 
   applyFilter() {
-    const least = this.leastSize();
-    element('least-value').textContent = number(least, this.data.decimals);
+    const { data } = this;
+    const least = this.shareOf('least', this.largest);
+    const isEnd = element('most').value === element('most').max;
+    const most = isEnd ? Infinity : this.shareOf('most', this.largest);
+    const area = this.shareOf('piece', data.mesh.pieces[0]?.area ?? 0);
+    element('least-value').textContent = length(least, data);
+    element('most-value').textContent = isEnd ? 'any' : length(most, data);
+    element('piece-value').textContent = length(area, data, '\u00b2');
     const wanted = { handle: element('handles').checked, tunnel: element('tunnels').checked, loop: true };
-    this.visible = this.data.loops.filter((loop) => wanted[loop.kind] && loop.size >= least);
+    this.visible = data.loops.filter((loop) => wanted[loop.kind] && loop.size >= least &&
+                                               loop.size <= most && loop.pieceArea >= area);
+    this.skin.showPieces(area);
     this.table.filter(this.visible);
     this.showTubes();
     this.tell();
@@ -153,10 +182,10 @@ class Viewer {
     const loop = loops[this.chosen];
     if (loop) {
       element('status').textContent =
-        `${loop.kind} loop ${loop.id}: size ${number(loop.size, decimals)}, length ` +
-        `${number(loop.length, decimals)}, at ${point(loop.world, decimals)}` +
-        (loop.feature ? `, ${number(loop.feature.depth, decimals)} deep, ` +
-          `${number(loop.feature.thickness, decimals)} thick` : '') +
+        `${loop.kind} loop ${loop.id}: size ${length(loop.size, this.data)}, length ` +
+        `${length(loop.length, this.data)}, at ${point(loop.world, decimals)}` +
+        (loop.feature ? `, ${length(loop.feature.depth, this.data)} deep, ` +
+          `${length(loop.feature.thickness, this.data)} thick` : '') +
         (loop.fix === 'none' ? '' : `; ${loop.fix} along it to remove the ${loop.kind}`);
     } else if (loops.length === 0) {
       element('status').textContent = found === 0 ? 'There are no loops: no handle, no tunnel.'
@@ -272,6 +301,7 @@ class Viewer {
     cancelAnimationFrame(this.pending);
     this.pending = 0;
     this.renderer.render(this.scene, this.camera);
+    this.scaleBar.update(this.canvas.clientHeight);
     this.firstPicture ??= performance.now();
   }
 

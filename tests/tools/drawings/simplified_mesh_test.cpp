@@ -64,6 +64,18 @@ Surface surface_of(const SmallVolume& volume) {
   return count_topology(volume.view(), {0.0, InsideRule::above}).surface;
 }
 
+TEST(SimplifiedMesh, GoesFartherWhereSmallHandlesMayGo) {
+  const TriangleMesh mesh = mesh_of(surface_of(testing::white_noise({12, 12, 12}, 3)));
+  const std::size_t most = simplified(mesh, 0).triangles.size() / 3;
+  ASSERT_GT(most, 100U);
+  const TriangleMesh simple = simplified(mesh, most, HandleRule::drop_small);
+  EXPECT_LE(simple.triangles.size(), most);
+  for (const auto& [a, b, c] : simple.triangles) {
+    EXPECT_TRUE(a != b && b != c && c != a);
+    EXPECT_LT(std::max({a, b, c}), simple.points.size());
+  }
+}
+
 TEST(SimplifiedMesh, KeepsTheTopologyOfEveryComponent) {
   for (std::uint32_t seed = 0; seed < 60; ++seed) {
     const SmallVolume volume = seed % 2 == 0 ? testing::smooth_noise({14, 13, 12}, seed, 1)

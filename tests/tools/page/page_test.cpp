@@ -1,7 +1,11 @@
 #include "tools/page/page.h"
 
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -77,6 +81,74 @@ TEST(Page, TakesTheVolumeInBlocksWhereItIsLarge) {
   const auto data = data_in(out.str());
   EXPECT_EQ(data["volume"]["dims"], (std::vector<int>{4, 4, 4}));
   EXPECT_EQ(data["volume"]["block"], 3);
+}
+
+/// Two octahedra and the torus: one of the two is larger than all.
+LoopsRun run_of_three_pieces() {
+  LoopsRun run = torus_run();
+  Surface& surface = run.analysis.surface;
+  for (const auto& [radius, x] : {std::pair{1.0F, 20.0F}, std::pair{9.0F, 40.0F}}) {
+    const auto first = static_cast<std::uint32_t>(surface.points.size());
+    for (std::size_t a = 0; a < 3; ++a)
+      for (const float way : {-radius, radius}) {
+        std::array<float, 3> point{x, 5.0F, 5.0F};
+        point[a] += way;
+        surface.points.push_back(point);
+        surface.component_of_vertex.push_back(
+            static_cast<std::uint32_t>(surface.components.size()));
+      }
+    for (std::uint32_t corner = 0; corner < 8; ++corner) {
+      const std::uint32_t a = first + corner % 2;
+      const std::uint32_t b = first + 2 + corner / 2 % 2;
+      const std::uint32_t c = first + 4 + corner / 4;
+      const bool is_turned = (corner % 2 + corner / 2 % 2 + corner / 4) % 2 == 0;
+      surface.triangles.push_back({a, is_turned ? c : b, is_turned ? b : c});
+    }
+    surface.components.push_back({.vertices = 6, .triangles = 8, .euler = 2});
+  }
+  return run;
+}
+
+TEST(Page, LeavesOutTheSmallestPiecesAndSaysSo) {
+  const LoopsRun run = run_of_three_pieces();
+  const auto whole = data_in(page_of(run));
+  EXPECT_EQ(whole["left_out"]["pieces"], 0);
+  ASSERT_EQ(whole["mesh"]["pieces"].size(), 3U);
+  EXPECT_EQ(whole["mesh"]["pieces"][0][0], 2) << "the largest area first";
+  EXPECT_EQ(whole["mesh"]["pieces"][0][1], 8) << "triangles";
+  EXPECT_NEAR(whole["mesh"]["pieces"][0][2].get<double>(), 4 * std::sqrt(3.0) * 4.5 * 4.5, 1e-3);
+  EXPECT_EQ(whole["mesh"]["pieces"][2][0], 1);
+  std::ostringstream out;
+  const LeftOut left_out = write_page(out, run, {.most_pieces = 2});
+  EXPECT_EQ(left_out.pieces, 1U);
+  EXPECT_EQ(left_out_text(left_out), ", which leaves out 1 small piece");
+  const auto data = data_in(out.str());
+  EXPECT_EQ(data["left_out"]["pieces"], 1);
+  EXPECT_NEAR(data["left_out"]["piece_area"].get<double>(), std::sqrt(3.0), 1e-3);
+  EXPECT_EQ(data["mesh"]["pieces"].size(), 2U);
+  EXPECT_EQ(data["mesh"]["triangles"], 26);
+}
+
+TEST(Page, LeavesOutTheSmallestLoopsWhereTheyTakeTooMuchAndSaysSo) {
+  LoopsRun run = torus_run();
+  run.reported.resize(1, run.reported[0]);
+  for (std::int64_t id = 2; id <= 5; ++id) {
+    Loop loop = run.reported[0];
+    loop.id = id;
+    loop.size = static_cast<double>(10 - id);
+    run.reported.push_back(loop);
+  }
+  const std::size_t bytes = data_in(page_of(run))["loops"][0].dump().size();
+  std::ostringstream out;
+  const LeftOut left_out = write_page(out, run, {.most_loop_bytes = 3 * bytes + 20});
+  EXPECT_EQ(left_out.loops, 2U);
+  EXPECT_EQ(left_out_text(left_out), ", which leaves out 2 small loops");
+  const auto data = data_in(out.str());
+  ASSERT_EQ(data["loops"].size(), 3U);
+  EXPECT_EQ(data["loops"][0]["id"], 2) << "the size of 8 is the largest; in their order";
+  EXPECT_EQ(data["loops"][2]["id"], 4);
+  EXPECT_EQ(data["left_out"]["loops"], 2);
+  EXPECT_EQ(data["left_out"]["loop_size"], 5.0);
 }
 
 TEST(Page, NeedsNoNetwork) {

@@ -12,9 +12,9 @@
 namespace isoloop {
 namespace {
 
-std::string table_of(const LoopsRun& run) {
+std::string table_of(const LoopsRun& run, std::size_t most_rows = 0) {
   std::ostringstream out;
-  write_table(out, run);
+  write_table(out, run, most_rows);
   return out.str();
 }
 
@@ -116,6 +116,44 @@ TEST(ReportTable, EndsWithWhatWasVerified) {
   EXPECT_EQ(lines_of(table_of(torus_run())).back(),
             "verified: every loop is closed, lies on M and is certified; 1 handle + 1 tunnel = 2 × "
             "genus");
+}
+
+TEST(ReportTable, ShowsTheLargestLoopsFirstWhereRowsAreFew) {
+  const LoopsRun run = torus_run();
+  const std::string all = table_of(run);
+  EXPECT_LT(all.find("handle  cut"), all.find("tunnel  fill")) << "in the order of the report";
+  EXPECT_EQ(all.find("more:"), std::string::npos);
+  const std::string two = table_of(run, 2);
+  EXPECT_GT(two.find("handle  cut"), two.find("tunnel  fill")) << "the tunnel's is infinite";
+  const std::string one = table_of(run, 1);
+  EXPECT_EQ(one.find("handle  cut"), std::string::npos) << one;
+  EXPECT_NE(one.find("and 1 more: --top 0 shows all, --json lists all\n"), std::string::npos)
+      << one;
+  EXPECT_NE(one.find("total length of 1 handle loop"), std::string::npos) << "of all";
+}
+
+TEST(ReportTable, NamesMinSizeWhereMostLoopsAreAsSmallAsThoseOfNoise) {
+  LoopsRun run = torus_run();  // spacing 0.5
+  run.reported.assign(99, run.reported[0]);
+  for (Loop& loop : run.reported) loop.size = 1.0;
+  EXPECT_EQ(table_of(run).find("below 3 voxels"), std::string::npos) << "they are few";
+  run.reported.resize(160, torus_run().reported[1]);
+  EXPECT_NE(table_of(run).find("note: 99 of 160 loops have a size below 3 voxels, as noise has; "
+                               "--min-size 1.5 leaves them out\n"),
+            std::string::npos);
+  run.reported.resize(200, torus_run().reported[1]);
+  EXPECT_EQ(table_of(run).find("below 3 voxels"), std::string::npos) << "not half of them";
+}
+
+TEST(ReportTable, NamesTheUnitThatTheFileStates) {
+  LoopsRun run = torus_run();
+  EXPECT_EQ(table_of(run).find("length ("), std::string::npos);
+  run.volume.unit = "mm";
+  const std::string table = table_of(run);
+  EXPECT_NE(table.find("length (mm)  size (mm)"), std::string::npos) << table;
+  EXPECT_NE(table.find("total length of 1 handle loop: 2.598 mm (as found: 2.750)"),
+            std::string::npos)
+      << table;
 }
 
 TEST(ReportTable, SaysHowManyLoopsAFilterLeft) {
