@@ -103,14 +103,19 @@ std::uint64_t bytes_per_voxel(VoxelType type);
 std::string type_name(VoxelType type);
 std::string type_name(const VoxelArray& values);
 
+/// "index", "world", "LPS" or "RAS".
+std::string frame_name(Frame frame);
+
 /// Reads "uint8" or "u8", "float32" or "f32", … ; nothing if `name` is none of them.
 std::optional<VoxelType> parse_voxel_type(std::string_view name);
 
 /// Writes a .raw file (voxels in their stored type, little-endian, first axis fastest; a name such
-/// as engine_256x256x128_uint8.raw lets it be read without options), a .nrrd file or a .vdb file
-/// (values become float32; a level set's background is its largest value, any other grid's its
-/// smallest). The file appears whole or not at all.
-/// Throws InvalidArgument (another extension) and InvalidInput (it cannot be written).
+/// as engine_256x256x128_uint8.raw lets it be read without options), a .nrrd, .nii, .nii.gz, .mha,
+/// .npy or .vti file (with what the format can say of the place), or a .vdb file (values become
+/// float32; a level set's background is its largest value, any other grid's its smallest). The
+/// file appears whole or not at all.
+/// Throws InvalidArgument (another extension; an axis too long for .nii) and InvalidInput (it
+/// cannot be written).
 void write_volume(const Volume& volume, const std::filesystem::path& path);
 
 /// Unit of the voxel values.

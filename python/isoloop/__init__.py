@@ -19,6 +19,8 @@ from ._errors import (
     SelfCheckFailed,
     UsageError,
 )
+from ._changes import repair, write
+from ._repair import KeptLoop, Removal, Repair
 from ._results import (
     Betti,
     Counts,
@@ -27,15 +29,12 @@ from ._results import (
     Loops,
     Page,
     Plateau,
-    KeptLoop,
-    Removal,
-    Repair,
     Scan,
     Surface,
     SurfaceComponent,
     SurfaceCounts,
 )
-from ._runs import count, features, loops, repair, scan, view
+from ._runs import count, features, loops, scan, view
 from ._volume import Volume, generate, read, shapes
 
 __all__ = [
@@ -70,4 +69,5 @@ __all__ = [
     "scan",
     "shapes",
     "view",
+    "write",
 ]

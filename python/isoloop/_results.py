@@ -88,7 +88,7 @@ class Counts:
         )
 
 
-class _Placed:
+class Placed:
     """What all results have: the frame that they lie in, and the command's JSON.
 
     Attributes
@@ -138,12 +138,12 @@ class _Placed:
         return self.table().rstrip("\n")
 
 
-class SurfaceCounts(Counts, _Placed):
+class SurfaceCounts(Counts, Placed):
     """What count() finds: the counts, and the surface that they are read off."""
 
     def __init__(self, run: _core.CountRun) -> None:
         Counts.__init__(self, run.counts)
-        _Placed.__init__(self, run)
+        Placed.__init__(self, run)
         self._run = run
 
     def surface(self, world: bool = False) -> Surface:
@@ -155,7 +155,7 @@ class SurfaceCounts(Counts, _Placed):
             triangles = triangles[:, [0, 2, 1]]
         return Surface(self.to_world(points).astype(numpy.float32), triangles)
 
-    __str__ = _Placed.__str__
+    __str__ = Placed.__str__
 
 
 class Feature(NamedTuple):
@@ -377,7 +377,7 @@ class Plateau(NamedTuple):
     betti: Betti
 
 
-class Scan(_Placed):
+class Scan(Placed):
     """The counts at many iso values.
 
     Attributes
@@ -430,76 +430,6 @@ class Scan(_Placed):
 
     def __repr__(self) -> str:
         return f"<isoloop.Scan: {len(self.rows)} iso values, proposed {self.proposed}>"
-
-
-class Removal(NamedTuple):
-    """One handle or tunnel that was removed.
-
-    `kind` and `id` name the loop, in the `round` of analysis (1: of the array as it came); `along`
-    the one that was cut along or filled. `length` in the unit of the spacing.
-    """
-
-    kind: str
-    id: int
-    round: int
-    length: float
-    action: str
-    along: tuple[str, int]
-    voxels: int
-    center_index: Floats
-
-
-class KeptLoop(NamedTuple):
-    """A loop that was asked for and could not be removed; fields as those of Removal."""
-
-    kind: str
-    id: int
-    round: int
-    length: float
-    center_index: Floats
-
-
-class Repair(_Placed):
-    """Voxels that were changed so that handles and tunnels go, and nothing else does.
-
-    Attributes
-    ----------
-    array : numpy.ndarray
-        A copy of the array with the changes.
-    changed : bool array
-        Of its shape: where they are.
-    removals : list of Removal
-    kept : list of KeptLoop
-        With `keep_going`: what could not be removed.
-    before, after : Counts
-    added_voxels, removed_voxels, shifted_voxels : int
-        Now inside; now outside; of another value on the side that they were on, which is rare.
-    """
-
-    def __init__(
-        self, run: _core.RepairRun, array: NDArray[Any], changed: NDArray[numpy.bool_]
-    ) -> None:
-        super().__init__(run)
-        self._repair_run = run
-        self.before = Counts(run.before)
-        self.after = Counts(run.after)
-        self.removals = [Removal(**removal) for removal in run.removals()]
-        self.kept = [KeptLoop(**kept) for kept in run.kept()]
-        self.added_voxels: int = run.added_voxels
-        self.removed_voxels: int = run.removed_voxels
-        self.shifted_voxels = int(changed.sum()) - run.added_voxels - run.removed_voxels
-        self.array = array
-        self.changed = changed
-
-    def table(self, top: int = 0) -> str:
-        """What the command prints for people; of the loops the `top` longest, or all of them."""
-        return self._repair_run.table(top)
-
-    def __repr__(self) -> str:
-        return (
-            f"<isoloop.Repair: {len(self.removals)} removed, {self.before.tunnels} tunnels before, "
-            f"{self.after.tunnels} after, {int(self.changed.sum())} voxels changed>"
-        )
 
 
 class Page:

@@ -1,92 +1,30 @@
-"""The functions that users call: count, loops, features, scan, repair, view."""
+"""The functions that look at a volume: count, loops, features, scan, view."""
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
 from typing import Any, Optional, Union
 
 import numpy
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from . import _arrays, _core
 from ._arrays import Spacing
 from ._errors import UsageError
-from ._results import Loops, Page, Repair, Scan, SurfaceCounts
-from ._volume import Path, Progress, Volume, read, warn
-
-AnyVolume = Union[Volume, ArrayLike, "os.PathLike[str]"]
-Iso = Union[None, float, str, Sequence[float]]
-Labels = Union[None, int, Sequence[int]]
-Memory = Union[None, int, str]
-
-
-def _level(
-    iso: Iso,
-    inside: Optional[str],
-    topology: Optional[str],
-    connectivity: Optional[int],
-    open_boundary: bool,
-    label: Labels,
-) -> _core.LevelFlags:
-    flags = _core.LevelFlags()
-    if isinstance(iso, str):
-        _want("iso", iso, ("auto",))
-        flags.iso = iso
-    elif iso is not None:
-        flags.iso = " ".join(repr(float(value)) for value in numpy.atleast_1d(iso))
-    _want("inside", inside, ("above", "below"))
-    _want("topology", topology, ("trilinear", "simple"))
-    _want("connectivity", connectivity, (6, 18, 26))
-    if topology is not None and connectivity is not None:
-        raise UsageError("topology= does not go with connectivity=, which takes its place")
-    if label is not None and (iso is not None or inside is not None):
-        raise UsageError("iso= and inside= do not go with label=, which says what is inside")
-    flags.inside = inside or ""
-    flags.topology = topology or "trilinear"
-    flags.connectivity = "" if connectivity is None else str(connectivity)
-    flags.open_boundary = open_boundary
-    return flags
-
-
-def _want(name: str, value: Any, known: Sequence[Any]) -> None:
-    if value is not None and value not in known:
-        raise UsageError(f"{name}={value!r} is none of {', '.join(map(repr, known))}")
-
-
-def _limits(threads: int, max_memory: Memory) -> _core.Limits:
-    if threads < 0 or threads > 1 << 16:
-        raise UsageError(f"threads={threads} must be 0 (one for each core) to 65536")
-    return _core.Limits(threads, _core.bytes_of(str(max_memory)) if max_memory is not None else 0)
-
-
-def _volume(volume: AnyVolume, open_boundary: bool = False) -> Any:
-    """A path is read."""
-    if isinstance(volume, (str, os.PathLike)):
-        return read(volume, open_boundary=open_boundary)
-    return volume
-
-
-def _input(
-    volume: Any,
-    label: Labels,
-    spacing: Optional[Spacing],
-    affine: Optional[ArrayLike],
-    frame: Optional[str],
-    unit: str,
-    nan_as: Optional[float],
-) -> _core.Input:
-    if isinstance(volume, Volume):
-        given = {"spacing": spacing, "affine": affine, "frame": frame, "nan_as": nan_as}
-        for name, value in given.items():
-            if value is not None:
-                raise UsageError(f"{name}= goes with arrays; for a file, give it to isoloop.read()")
-        made = _core.input_of_volume(volume._held)
-    else:
-        made = _arrays.input_of(volume, spacing, affine, frame, unit, nan_as)
-    if label is None:
-        return made
-    return _core.input_of_labels(made, [int(one) for one in numpy.atleast_1d(label)])
+from ._options import (
+    AnyVolume,
+    Iso,
+    Labels,
+    Memory,
+    input_of,
+    level_of,
+    limits_of,
+    opened,
+    tell_warnings,
+    want,
+)
+from ._results import Loops, Page, Scan, SurfaceCounts
+from ._volume import Path, Progress
 
 
 def count(
@@ -171,14 +109,14 @@ def count(
     >>> isoloop.count(ring)
     <isoloop.Counts: 1 components, 1 tunnels, 0 cavities>
     """
-    volume = _volume(volume, open_boundary)
+    volume = opened(volume, open_boundary)
     run = _core.count(
-        _input(volume, label, spacing, affine, frame, unit, nan_as),
-        _level(iso, inside, topology, connectivity, open_boundary, label),
-        _limits(threads, max_memory),
+        input_of(volume, label, spacing, affine, frame, unit, nan_as),
+        level_of(iso, inside, topology, connectivity, open_boundary, label),
+        limits_of(threads, max_memory),
         progress,
     )
-    warn(run.warnings[len(volume.warnings) if isinstance(volume, Volume) else 0 :])
+    tell_warnings(run, volume)
     return SurfaceCounts(run)
 
 
@@ -191,11 +129,11 @@ def _asked(
     side: str,
     sizes: tuple[float, float],
 ) -> _core.LoopsInput:
-    _want("geodesic", geodesic, ("hierarchy", "exact"))
-    _want("engine", engine, ("dual", "pair"))
-    _want("refine", refine, ("none", "1", "2", "both"))
-    _want("tighten", tighten, ("none", "basis", "curve"))
-    _want("side", side, ("handle", "tunnel", "both"))
+    want("geodesic", geodesic, ("hierarchy", "exact"))
+    want("engine", engine, ("dual", "pair"))
+    want("refine", refine, ("none", "1", "2", "both"))
+    want("tighten", tighten, ("none", "basis", "curve"))
+    want("side", side, ("handle", "tunnel", "both"))
     if level.open_boundary and side != "both":
         raise UsageError("side= does not go with open_boundary=, which tells no sides apart")
     if not sizes[0] <= sizes[1]:
@@ -281,8 +219,8 @@ def loops(
     >>> [loop.kind for loop in found]
     ['handle', 'tunnel']
     """
-    volume = _volume(volume, open_boundary)
-    level = _level(iso, inside, topology, connectivity, open_boundary, label)
+    volume = opened(volume, open_boundary)
+    level = level_of(iso, inside, topology, connectivity, open_boundary, label)
     asked = _asked(level, geodesic, engine, refine, tighten, side, (min_size, max_size))
     if feature_ratio is not None:
         if open_boundary:
@@ -291,12 +229,12 @@ def loops(
             raise UsageError("feature_ratio= must be a number from 1 on")
         asked.set_feature_ratio(feature_ratio)
     run = _core.loops(
-        _input(volume, label, spacing, affine, frame, unit, nan_as),
+        input_of(volume, label, spacing, affine, frame, unit, nan_as),
         asked,
-        _limits(threads, max_memory),
+        limits_of(threads, max_memory),
         progress,
     )
-    warn(run.warnings[len(volume.warnings) if isinstance(volume, Volume) else 0 :])
+    tell_warnings(run, volume)
     return Loops(run)
 
 
@@ -367,113 +305,19 @@ def scan(
     UsageError, InvalidInput, LimitExceeded
         As count() does.
     """
-    volume = _volume(volume)
+    volume = opened(volume)
     scan_range = _core.ScanRange()
     scan_range.values, scan_range.least, scan_range.most = values, from_, to
-    return Scan(
-        _core.scan(
-            _input(volume, None, spacing, affine, frame, unit, nan_as),
-            _level(None, inside, topology, None, False, None),
-            scan_range,
-            "" if ignore_below is None else str(ignore_below),
-            _limits(threads, max_memory),
-            progress,
-        )
-    )
-
-
-def repair(
-    volume: AnyVolume,
-    iso: Iso = None,
-    *,
-    fill_tunnels: Optional[float] = None,
-    cut_handles: Optional[float] = None,
-    auto: Optional[float] = None,
-    ids: Union[str, Sequence[str]] = "",
-    side: str = "",
-    genus: Optional[int] = None,
-    keep_going: bool = False,
-    inside: Optional[str] = None,
-    topology: Optional[str] = None,
-    connectivity: Optional[int] = None,
-    label: Labels = None,
-    spacing: Optional[Spacing] = None,
-    affine: Optional[ArrayLike] = None,
-    frame: Optional[str] = None,
-    unit: str = "",
-    nan_as: Optional[float] = None,
-    threads: int = 0,
-    max_memory: Memory = None,
-    progress: Optional[Progress] = None,
-) -> Repair:
-    """Removes handles and tunnels by changing few voxels, and nothing else; returns a copy.
-
-    Parameters
-    ----------
-    fill_tunnels, cut_handles, auto : float
-        Tunnels to fill, handles to cut, or either, whose loops are shorter than this, in the unit of
-        the spacing.
-    ids : str, or sequence of str
-        Loops of loops(), such as "h3,t7"; numbers alone with `side`, "handle" or "tunnel".
-    genus : int
-        Removes the shortest until the surface has this genus or less.
-    keep_going : bool
-        Lists what cannot be removed, as `kept`, and removes the rest.
-    volume, iso, inside, topology, connectivity, label, spacing, affine, frame, unit, nan_as, threads,
-    max_memory, progress
-        As for count().
-
-    Returns
-    -------
-    Repair
-        Its `array` is of the array's type; for `label` a mask of 0 and 1 (uint8).
-
-    Raises
-    ------
-    UsageError, InvalidInput, LimitExceeded
-        As count() does; UsageError also for an id that does not exist.
-    SelfCheckFailed
-        If a loop cannot be removed so, naming it; not with `keep_going`.
-
-    Examples
-    --------
-    >>> import isoloop, numpy
-    >>> ring = numpy.zeros((5, 9, 9), bool)
-    >>> ring[1:4, 1:8, 1:8] = True
-    >>> ring[:, 3:6, 3:6] = False
-    >>> isoloop.count(isoloop.repair(ring, genus=0).array).tunnels
-    0
-    """
-    volume = _volume(volume)
-    _want("side", side or None, ("handle", "tunnel"))
-    asked = _core.RepairFlags()
-    lengths = ("" if one is None else repr(float(one)) for one in (fill_tunnels, cut_handles, auto))
-    asked.fill_tunnels, asked.cut_handles, asked.either = lengths
-    asked.genus, asked.side, asked.keep_going = genus, side, keep_going
-    asked.ids = ids if isinstance(ids, str) else ",".join(ids)
-    made = _input(volume, label, spacing, affine, frame, unit, nan_as)
-    run = _core.repair(
-        made,
-        _level(iso, inside, topology, connectivity, False, label),
-        asked,
-        _limits(threads, max_memory),
+    run = _core.scan(
+        input_of(volume, None, spacing, affine, frame, unit, nan_as),
+        level_of(None, inside, topology, None, False, None),
+        scan_range,
+        "" if ignore_below is None else str(ignore_below),
+        limits_of(threads, max_memory),
         progress,
     )
-    array, changed = _changed(made, run)
-    if label is None and numpy.asarray(volume).dtype == bool:
-        array = array.view(bool)
-    return Repair(run, array, changed)
-
-
-def _changed(made: _core.Input, run: _core.RepairRun) -> tuple[NDArray[Any], NDArray[numpy.bool_]]:
-    """A copy of the voxels with the run's changes, and where these are."""
-    array: NDArray[Any] = made.voxels().copy(order="K")
-    changed = numpy.zeros(array.shape, bool)
-    voxels, values = run.changes()
-    along_memory = numpy.unravel_index(voxels, array.transpose(made.axes).shape, order="F")
-    array.transpose(made.axes)[along_memory] = values
-    changed.transpose(made.axes)[along_memory] = True
-    return array, changed
+    tell_warnings(run, volume)
+    return Scan(run)
 
 
 def view(
@@ -521,14 +365,14 @@ def view(
     """
     if triangles < 1:
         raise UsageError("triangles= must be at least 1")
-    volume = _volume(volume, open_boundary)
-    level = _level(iso, inside, topology, connectivity, open_boundary, label)
+    volume = opened(volume, open_boundary)
+    level = level_of(iso, inside, topology, connectivity, open_boundary, label)
     asked = _asked(level, geodesic, "dual", None, None, side, (0.0, float("inf")))
     asked.with_scan = asked.features_may_lack = True
     asked.set_feature_ratio(feature_ratio)
-    made = _input(volume, label, spacing, affine, frame, unit, nan_as)
-    run = _core.loops(made, asked, _limits(threads, max_memory), progress)
-    warn(run.warnings[len(volume.warnings) if isinstance(volume, Volume) else 0 :])
+    made = input_of(volume, label, spacing, affine, frame, unit, nan_as)
+    run = _core.loops(made, asked, limits_of(threads, max_memory), progress)
+    tell_warnings(run, volume)
     drawn = _arrays.input_of(numpy.asfortranarray(made.voxels()))
     page = Page(_core.page(run, drawn, triangles), Loops(run))
     if output is not None:

@@ -13,7 +13,9 @@
 #include "python/module/watched.h"
 #include "tools/reports/report_table.h"
 #include "tools/runs/read_run.h"
+#include "tools/runs/written_volume.h"
 #include "tools/words/sentence.h"
+#include "volume/files/write.h"
 #include "volume/voxels/labels.h"
 #include "volume/voxels/placement.h"
 
@@ -101,6 +103,24 @@ py::tuple generate(const std::string& shape, const ShapeOptions& options) {
   return py::make_tuple(held(shape, std::move(made.volume)), known);
 }
 
+/// Writes the voxels and their place; returns what the format cannot say.
+std::vector<std::string> write(const Input& input, const std::string& path) {
+  if (input.axes != Axes{0, 1, 2})
+    throw InvalidArgument("voxels to write must be packed, the first axis the fastest");
+  Volume volume = input.run.volume;
+  std::visit(
+      [&]<class T>(const GridView<T>& grid) {
+        volume.values = std::vector<T>(grid.values.begin(), grid.values.end());
+      },
+      *input.run.voxels);
+  check_written("path", path, volume);
+  watched(py::none(), input.holder, [&](const Progress&) {
+    write_volume(volume, path);
+    return 0;
+  });
+  return sentences_of(left_out_of(volume, path));
+}
+
 /// The voxels, in the order of the array's axes; a view.
 py::array voxels_in_array_axes(const Input& input) {
   return std::visit(
@@ -125,7 +145,7 @@ void bind_volume(py::module_& module) {
   property("file", [](const HeldVolume& v) { return v.file; });
   property("spacing", [](const HeldVolume& v) { return v.about.spacing; });
   property("unit", [](const HeldVolume& v) { return v.about.unit; });
-  property("frame", [](const HeldVolume& v) { return frame_text(v.about.frame); });
+  property("frame", [](const HeldVolume& v) { return frame_name(v.about.frame); });
   property("name", [](const HeldVolume& v) { return v.about.name; });
   property("level_set", [](const HeldVolume& v) { return v.about.level_set; });
   property("mask", [](const HeldVolume& v) { return v.about.mask; });
@@ -234,6 +254,7 @@ void bind_input(py::module_& module) {
   module.def(
       "bytes_of", [](const std::string& size) { return parse_bytes(size); }, py::arg("size"));
   module.def("input_of_labels", &input_of_labels, py::arg("input"), py::arg("labels"));
+  module.def("write", &write, py::arg("input"), py::arg("path"));
   module.def("read", &read, py::arg("flags"), py::arg("open_boundary"), py::arg("progress"));
   module.def(
       "generate",

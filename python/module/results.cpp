@@ -25,6 +25,7 @@
 #include "tools/reports/report_surface.h"
 #include "tools/reports/report_table.h"
 #include "tools/reports/scan_plot.h"
+#include "tools/runs/repair_run.h"
 #include "tools/words/sentence.h"
 #include "volume/base/atomic_file.h"
 
@@ -235,6 +236,17 @@ py::tuple changes_of(const RepairRun& run) {
       column_of<double>(changes, [](const VoxelChange& c) { return c.after; }));
 }
 
+/// The same of the label map that the mask was made of, and how many others were overwritten.
+py::tuple label_changes_of(const RepairRun& run, const Input& labels,
+                           const std::vector<std::int64_t>& asked) {
+  const LabelChanges made = changes_of_labels(run.repair, *labels.run.voxels, asked);
+  return py::make_tuple(
+      column_of<std::int64_t>(
+          made.changes, [](const VoxelChange& c) { return static_cast<std::int64_t>(c.voxel); }),
+      column_of<double>(made.changes, [](const VoxelChange& c) { return c.after; }),
+      made.overwritten);
+}
+
 py::dict scan_columns(const ScanRun& run) {
   const auto column = [&](auto get) {
     return column_of<std::int64_t>(run.scan.rows, [&](const ScanRow& row) { return get(row); });
@@ -289,7 +301,7 @@ void bind_run(py::module_& module) {
       .def_property_readonly("spacing", [](const Run& run) { return run.volume.spacing; })
       .def_property_readonly("affine", [](const Run& run) { return affine_of(run.volume); })
       .def_property_readonly("mirrors", [](const Run& run) { return frame_mirrors(run.volume); })
-      .def_property_readonly("frame", [](const Run& run) { return frame_text(run.volume.frame); })
+      .def_property_readonly("frame", [](const Run& run) { return frame_name(run.volume.frame); })
       .def_property_readonly("unit", [](const Run& run) { return run.volume.unit; })
       .def_property_readonly("iso", [](const Run& run) { return run.level.iso; })
       .def_property_readonly("inside", [](const Run& run) { return inside_text(run.level); })
@@ -366,7 +378,8 @@ void bind_repair(py::module_& module) {
                              [](const Run& run) { return run.repair.removed_voxels; })
       .def("removals", &removals_of)
       .def("kept", &kept_of)
-      .def("changes", &changes_of);
+      .def("changes", &changes_of)
+      .def("changes_of_labels", &label_changes_of, py::arg("labels"), py::arg("asked"));
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 import json
 
+import warnings
+
 import numpy
 import pytest
 from conftest import data, without_cost
@@ -84,6 +86,64 @@ def test_repairs_are_those_of_the_command(command, tmp_path):
     assert (repaired.added_voxels, repaired.removed_voxels, repaired.shifted_voxels) == (
         found["filled_voxels"], found["cut_voxels"], found["shifted_voxels"])
     assert repaired.after.genus == 0
+
+
+@pytest.mark.parametrize("order", ["C", "F"])
+def test_repairs_of_labels_keep_the_others_as_the_command_does(command, tmp_path, ring, order):
+    import subprocess
+
+    labels = numpy.where(ring, 7, 0).astype("u1")
+    labels[0, 0, 0] = 5
+    labels = numpy.asarray(labels, order=order)
+    isoloop.write(labels, tmp_path / "labels.nrrd")
+    subprocess.run([command.program, "repair", tmp_path / "labels.nrrd", "--label", "7", "--genus", "0",
+                    "-o", tmp_path / "out.nrrd"], check=True, capture_output=True)
+    repaired = isoloop.repair(labels, label=7, genus=0)
+    assert numpy.array_equal(repaired.array, isoloop.read(tmp_path / "out.nrrd").array)
+    assert numpy.array_equal(repaired.changed, repaired.array != labels)
+    assert set(numpy.unique(repaired.array[repaired.changed])) == {7}
+    assert isoloop.count(repaired.array, label=7).tunnels == 0
+    hole = numpy.argwhere(repaired.changed)[0]
+    labels[tuple(hole)] = 3
+    with pytest.warns(isoloop.IsoloopWarning, match="another label than 0: 1"):
+        isoloop.repair(labels, label=7, genus=0)
+
+
+def test_files_are_those_that_convert_writes(command, tmp_path):
+    import subprocess
+
+    volume = isoloop.read(data("formats/hippo.nii.gz"))
+    for name in ("a.nrrd", "a.nii.gz", "a.npy", "a.vti", "a.mha"):
+        ours = tmp_path / ("ours_" + name)
+        subprocess.run([command.program, "convert", volume.file, tmp_path / name], check=True,
+                       capture_output=True)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            isoloop.write(volume, ours)
+        assert ours.read_bytes() == (tmp_path / name).read_bytes()
+
+
+def test_writing_says_what_a_format_cannot(tmp_path, ring):
+    with pytest.warns(isoloop.IsoloopWarning, match="the spacing 1 2 3"):
+        isoloop.write(ring, tmp_path / "a.npy", spacing=(1, 2, 3))
+    assert isoloop.read(tmp_path / "a.npy").mask
+    assert numpy.array_equal(isoloop.read(tmp_path / "a.npy").array, ring)
+    with pytest.raises(isoloop.UsageError, match="written as"):
+        isoloop.write(ring, tmp_path / "a.tif")
+    with pytest.raises(isoloop.UsageError, match="round"):
+        isoloop.write(ring.astype("i4"), tmp_path / "a.vdb")
+
+
+def test_tables_and_summaries_are_those_of_the_command(command):
+    import subprocess
+
+    path = data("volumes/fuel_64x64x64_uint8.raw")
+    found = isoloop.loops(path, 30)
+    for method, flags in (("summary", ["--summary"]), ("table", []), ("table", ["--top", "3"])):
+        told = subprocess.run([command.program, "loops", path, "--iso", "30", *flags],
+                              check=True, capture_output=True).stdout.decode()
+        given = [int(flags[1])] if len(flags) == 2 else []
+        assert getattr(found, method)(*given).strip() == told.strip()
 
 
 def test_the_page_is_the_commands(command, tmp_path):

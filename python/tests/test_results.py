@@ -106,7 +106,7 @@ def test_threads_change_nothing():
     assert one.to_dict()["loops"] == two.to_dict()["loops"]
 
 
-@pytest.mark.parametrize("name", ["isoloop", "isoloop._runs", "isoloop._volume", "isoloop._errors", "isoloop._napari"])
+@pytest.mark.parametrize("name", ["isoloop", "isoloop._runs", "isoloop._changes", "isoloop._volume", "isoloop._errors", "isoloop._napari"])
 def test_examples_in_docstrings_are_true(name):
     failed, tried = doctest.testmod(importlib.import_module(name))
     assert failed == 0 and tried > 0

@@ -17,9 +17,10 @@ namespace {
 
 TEST_F(CommandLine, HelpShowsThreeExamplesAndSucceeds) {
   const std::regex example("\n  isoloop [a-z]+ ");
-  for (const Words& arguments : {Words{"-h"}, Words{"info", "-h"}, Words{"count", "-h"},
-                                 Words{"loops", "-h"}, Words{"scan", "-h"}, Words{"view", "-h"},
-                                 Words{"demo", "-h"}, Words{"generate", "--help"}}) {
+  for (const Words& arguments :
+       {Words{"-h"}, Words{"info", "-h"}, Words{"count", "-h"}, Words{"loops", "-h"},
+        Words{"scan", "-h"}, Words{"view", "-h"}, Words{"demo", "-h"}, Words{"convert", "-h"},
+        Words{"generate", "--help"}}) {
     const ProcessResult result = run(arguments);
     EXPECT_EQ(result.exit_code, 0) << arguments[0];
     EXPECT_EQ(result.err, "");

@@ -106,8 +106,8 @@ TEST_F(FeaturesCommand, RefuseWhatMakesNoSense) {
   expect_failure(with({"--feature-ratio", "0.5"}), 2, "from 1 on");
   expect_failure(with({"--feature-ratio", "inf"}), 2, "from 1 on");
   expect_failure(with({"--feature-ratio", "nan"}), 2, "from 1 on");
-  expect_failure(with({"--labels", "l.nii"}), 2, "written as .raw, .nrrd or .vdb");
-  expect_failure(with({"--labels", "-"}), 2, "written as .raw, .nrrd or .vdb");
+  expect_failure(with({"--labels", "l.tif"}), 2, "written as .raw, .nii");
+  expect_failure(with({"--labels", "-"}), 2, "written as .raw, .nii");
   expect_failure(with({"--labels", "torus.nrrd"}), 2, "would overwrite the input");
   expect_failure(with({"--labels", "l.raw", "--labels", "l.raw"}), 2, "another output");
 }

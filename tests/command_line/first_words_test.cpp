@@ -154,6 +154,19 @@ TEST_F(FirstWords, OnATerminalTheLargestThirtyLoopsAreShown) {
             std::string::npos);
 }
 
+TEST_F(FirstWords, ThreeSpacingsMayHaveAUnit) {
+  for (const Words& spacing : {Words{"0.5", "0.25", "2mm"}, Words{"0.5mm", "0.25mm", "2mm"},
+                               Words{"0.5mm", "0.25", "2"}, Words{"0.5 0.25 2mm"}}) {
+    Words words{"count", "--iso", "1", "--json", "-", "--spacing"};
+    words.insert(words.end(), spacing.begin(), spacing.end());
+    words.push_back(ring_);
+    const ProcessResult result = run(words);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const Json counted = Json::parse(result.out);
+    EXPECT_EQ(counted["input"]["spacing"], (std::vector<double>{0.5, 0.25, 2.0}));
+  }
+}
+
 TEST_F(FirstWords, LengthsMayHaveAUnit) {
   // The ring in micrometres: its tunnel loop has a size of a few voxels.
   const Words base{"loops", ring_, "--iso", "1", "--spacing", "500um", "--json", "-"};

@@ -151,41 +151,60 @@ TEST_F(RepairCommand, WritesOtherFormatsWithTheGeometryOfTheInput) {
   }
 }
 
-TEST_F(RepairCommand, RefusesFormatsWhoseVoxelsItCannotReplace) {
+TEST_F(RepairCommand, WritesAnewWhatCannotBeCopiedAndSaysWhatThatLeavesOut) {
   scratch_.write("ring.hdr", nifti_ring({"ni1\0", 4}));
   scratch_.write("ring.img", ring_bytes());
   for (const std::string half : {".hdr", ".img"})
     expect_failure({"repair", "ring" + half, "--iso", "1", "--genus", "0", "-o", "out" + half}, 2,
-                   "one file holds header and voxels");
+                   "volumes are written as");
   std::string wide = "NRRD0004\ntype: int64\ndimension: 3\nsizes: 5 5 3\nendian: little\n";
   wide += "encoding: raw\n\n";
   for (const char voxel : ring_bytes()) wide += voxel + std::string(7, '\0');
   scratch_.write("wide.nrrd", wide);
-  expect_failure({"repair", "wide.nrrd", "--iso", "1", "--genus", "0", "-o", "out.nrrd"}, 2,
-                 "32 bits at most");
+  const ProcessResult result =
+      run({"repair", "wide.nrrd", "--iso", "1", "--genus", "0", "-o", "out.nrrd"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.err.find("out.nrrd is written anew"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("its voxels are int32"), std::string::npos) << result.err;
+  EXPECT_EQ(counts("out.nrrd")["b1"], 0);
+  expect_failure({"repair", "ring.nii", "--iso", "1", "--genus", "0", "-o", "out.tif"}, 3, "ring");
   scratch_.write("ring.nii", nifti_ring({"n+1\0", 4}) + ring_bytes());
-  expect_failure({"repair", "ring.nii", "--iso", "1", "--genus", "0", "-o", "out.nii.gz"}, 2,
-                 "volumes are written as");
-  expect_failure({"repair", "ring.nii", "--iso", "1", "--genus", "0", "-o", "out.img"}, 2,
-                 "volumes are written as");
+  expect_failure({"repair", "ring.nii", "--iso", "1", "--genus", "0", "-o", "out.tif"}, 2,
+                 "volumes are written as .raw, .nii, .nii.gz, .nrrd, .mha, .npy, .vti or .vdb");
 }
 
-TEST_F(RepairCommand, WritesAMaskWhereLabelsAreTaken) {
+TEST_F(RepairCommand, KeepsTheOtherLabelsOfALabelMap) {
+  // A ring of 7, a voxel of 3 in its hole, and a voxel of 5 apart.
   std::string labels = ring_bytes();
   for (char& voxel : labels) voxel = voxel != 0 ? '\7' : '\0';
+  const std::size_t hole = 2 + 5 * (2 + 5 * 1);
+  ASSERT_EQ(labels[hole], '\0');
+  labels[0] = '\5';
+  std::string filled = labels;
+  filled[hole] = '\7';
   scratch_.write("labels_5x5x3_int8.raw", labels);
-  const Words repair{"repair", "labels_5x5x3_int8.raw", "--label", "7", "--fill-tunnels", "100",
-                     "-o"};
-  const auto to = [&](const std::string& name) {
-    Words words = repair;
-    words.push_back(name);
-    return words;
-  };
-  expect_failure(to("out_5x5x3_int8.raw"), 2, "uint8 voxels; name it so");
-  const ProcessResult result = run(to(out_));
-  ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_EQ(counts(out_)["b1"], 0);
-  EXPECT_EQ(scratch_.read(out_).find('\7'), std::string::npos);
+  for (const std::string out : {"out_5x5x3_int8.raw", "out.nrrd", "out.nii.gz", "out.vdb"}) {
+    const ProcessResult result = run(
+        {"repair", "labels_5x5x3_int8.raw", "--label", "7", "--fill-tunnels", "100", "-o", out});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.err.find("another label"), std::string::npos) << result.err;
+    ASSERT_EQ(run({"convert", out, "back_5x5x3_int8.raw"}).exit_code, out == "out.vdb" ? 2 : 0);
+    if (out != "out.vdb") {
+      EXPECT_EQ(scratch_.read("back_5x5x3_int8.raw"), filled) << out;
+    }
+    const Json after = Json::parse(run({"count", out, "--label", "7", "--json", "-"}).out);
+    EXPECT_EQ(after["betti"]["b1"], 0) << out;
+    const Json other = Json::parse(run({"count", out, "--label", "5", "--json", "-"}).out);
+    EXPECT_EQ(other["betti"]["b0"], 1) << out;
+  }
+  labels[hole] = '\3';
+  scratch_.write("labels_5x5x3_int8.raw", labels);
+  const ProcessResult over = run({"repair", "labels_5x5x3_int8.raw", "--label", "7",
+                                  "--fill-tunnels", "100", "-o", "over_5x5x3_int8.raw"});
+  ASSERT_EQ(over.exit_code, 0) << over.err;
+  EXPECT_NE(over.err.find("voxels filled that had another label than 0: 1"), std::string::npos)
+      << over.err;
+  EXPECT_EQ(scratch_.read("over_5x5x3_int8.raw"), filled);
 }
 
 TEST_F(RepairCommand, RefusesWhatMakesNoSense) {
@@ -197,8 +216,7 @@ TEST_F(RepairCommand, RefusesWhatMakesNoSense) {
   expect_failure(with({"-o", out_}), 2, "nothing to repair is named");
   expect_failure(with({"--genus", "0"}), 2, "--output");
   expect_failure(with({"--genus", "0", "-o", ring_}), 2, "would overwrite the input");
-  expect_failure(with({"--genus", "0", "-o", "out.vdb"}), 2, "would round the voxels");
-  expect_failure(with({"--genus", "0", "-o", "out.nii"}), 2, "volumes are written as");
+  expect_failure(with({"--genus", "0", "-o", "out.tif"}), 2, "volumes are written as");
   expect_failure(with({"--ids", "1", "-o", out_}), 2, "h1 or t1");
   expect_failure(with({"--ids", "h2", "-o", out_}), 2, "there is no handle 2");
   expect_failure(with({"--ids", "x", "--side", "handle", "-o", out_}), 2, "'x' is no id");

@@ -8,6 +8,7 @@
 
 #include "core/base/errors.h"
 #include "tools/commands/bench_command.h"
+#include "tools/commands/convert_command.h"
 #include "tools/commands/count_command.h"
 #include "tools/commands/demo_command.h"
 #include "tools/commands/generate_command.h"
@@ -63,6 +64,7 @@ void parse_and_run(const std::vector<std::string>& given) {
   add_scan_command(app);
   add_view_command(app);
   add_repair_command(app);
+  add_convert_command(app);
   add_generate_command(app);
   add_demo_command(app);
   add_bench_command(app);

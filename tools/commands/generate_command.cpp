@@ -61,7 +61,8 @@ void check_name(const std::filesystem::path& path, const Shape& shape) {
 void generate(const GenerateFlags& flags) {
   const std::filesystem::path path(flags.output);
   if (!is_written(path)) {
-    throw InvalidArgument(flags.output + ": volumes are written as " + written_extensions());
+    throw InvalidArgument("--output " + flags.output + ": volumes are written as " +
+                          written_extensions());
   }
   check_writable(path);
   ShapeOptions options = flags.options;
@@ -115,7 +116,7 @@ void add_generate_command(CLI::App& app) {
       1, most_cells);
   add_memory_flag(command, flags->max_memory);
   want_file_name(
-      command.add_option("-o,--output", flags->output, "file to write: .vdb, .nrrd or .raw")
+      command.add_option("-o,--output", flags->output, "file to write: " + written_extensions())
           ->type_name("FILE")
           ->required());
   command.footer(

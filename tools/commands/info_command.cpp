@@ -8,9 +8,7 @@
 
 #include "core/base/memory_budget.h"
 #include "tools/commands/typed_words.h"
-#include "tools/flags/flag_kinds.h"
 #include "tools/flags/input_flags.h"
-#include "tools/flags/length_flag.h"
 #include "tools/reports/report_table.h"
 #include "tools/runs/mesh_comparison.h"
 #include "tools/runs/output_files.h"
@@ -60,7 +58,7 @@ void write_info(std::ostream& out, const VolumeFlags& flags, const Volume& volum
       << vector_text(volume.origin) << '\n'
       << "direction  " << vector_text(volume.direction[0]) << ", "
       << vector_text(volume.direction[1]) << ", " << vector_text(volume.direction[2]) << '\n'
-      << "frame      " << frame_text(volume.frame) << '\n'
+      << "frame      " << frame_name(volume.frame) << '\n'
       << "affine     " << affine_text(volume) << '\n'
       << "level set  "
       << (volume.level_set ? "yes: --iso 0 --inside below unless stated otherwise"
@@ -98,21 +96,16 @@ void add_info_command(CLI::App& app) {
       "  isoloop info scan.raw --dims 512 512 300 --type i16 --spacing 0.4 0.4 0.8\n"
       "  isoloop info cells.ome.tif --channel 1");
   command.callback([flags] {
-    check_flags_fit_file(*flags);
-    const StagedFile staged = staged_input(*flags);
     RunInput run;
-    Volume& volume = run.volume;
     try {
-      volume = read_named(*flags, read_options(*flags), staged);
+      run = read_input(*flags);
     } catch (const InvalidArgument& error) {
       if (!write_series(std::cout, *flags, error, "isoloop info " + shell_word(flags->file))) throw;
       finish_stdout();
       return;
     }
-    const std::string unit = split_unit("--spacing", flags->spacing).unit;
-    if (!unit.empty()) volume.unit = unit;
     tell_warnings(std::cerr, run);
-    write_info(std::cout, *flags, volume);
+    write_info(std::cout, *flags, run.volume);
     finish_stdout();
   });
 }

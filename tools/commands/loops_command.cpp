@@ -146,7 +146,7 @@ void find(const LoopsFlags& flags) {
 
 /// A flag that may be repeated, each time with one name.
 void add_files(CLI::App& command, const char* flag, std::vector<std::string>& names,
-               const char* text) {
+               const std::string& text) {
   want_file_name(command.add_option(flag, names, text)->allow_extra_args(false)->type_name("FILE"));
 }
 
@@ -192,7 +192,8 @@ void add_feature_flags(CLI::App& command, LoopsFlags& flags) {
                   "1.5: half a radius beyond the mouth of a bore)")
       ->type_name("RATIO");
   add_files(command, "--labels", flags.labels,
-            "write a volume with the labels of the features: .nrrd, .vdb or .raw; may be repeated");
+            "write a volume with the labels of the features: " + written_extensions() +
+                "; may be repeated");
 }
 
 }  // namespace

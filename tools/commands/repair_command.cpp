@@ -1,7 +1,11 @@
 #include "tools/commands/repair_command.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
+#include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -11,6 +15,7 @@
 
 #include "core/base/errors.h"
 #include "core/base/threads.h"
+#include "tools/flags/flag_lists.h"
 #include "tools/flags/repair_flags.h"
 #include "tools/flags/table_flags.h"
 #include "tools/flags/thread_flag.h"
@@ -21,13 +26,13 @@
 #include "tools/runs/read_run.h"
 #include "tools/runs/repair_run.h"
 #include "tools/runs/report_run.h"
+#include "tools/runs/written_volume.h"
 #include "tools/words/flag_checks.h"
 #include "tools/words/progress.h"
 #include "volume/base/atomic_file.h"
 #include "volume/base/file_kind.h"
+#include "volume/base/memory_limit.h"
 #include "volume/files/patch.h"
-#include "volume/files/write.h"
-#include "volume/formats/raw.h"
 
 namespace isoloop {
 namespace {
@@ -52,63 +57,48 @@ bool is_patched(const CommandFlags& flags, const Volume& volume) {
          std::filesystem::equivalent(volume.stored_at->file, flags.volume.file);
 }
 
-/// A .raw file says nothing of its voxels but by its name.
-void check_raw(const CommandFlags& flags, const Volume& volume) {
-  const std::string& output = flags.output;
-  if (flags.volume.skip.value_or(0) > 0) {
-    throw InvalidArgument("--output " + output +
-                          " would lack the header that --skip passes over; name a .nrrd");
-  }
-  const auto layout = layout_from_name(output);
-  if (!layout || (layout->dims == volume.dims && layout->type == voxel_type(volume.values))) return;
-  throw InvalidArgument("--output " + output + " would hold " + (volume.mask ? "a mask of " : "") +
-                        dims_text(volume.dims) + " " + type_name(volume.values) +
-                        " voxels; name it so");
-}
-
-/// What a volume that is written anew would lose is refused.
-void check_format(const CommandFlags& flags, const Volume& volume) {
+/// Warns of what a volume that is written anew loses. Throws where that would be voxels.
+void check_output(const CommandFlags& flags, const Volume& volume, RunInput& run) {
   if (is_patched(flags, volume)) return;
-  const bool would_change_type = !volume.mask && file_kind(flags.output) != FileKind::vdb &&
-                                 extension_of(flags.output) == extension_of(flags.volume.file);
-  if (!is_written(flags.output) || would_change_type) {
-    throw InvalidArgument(
-        "--output " + flags.output + ": a copy of " + flags.volume.file +
-        " can be changed only if one file holds header and voxels, one after another, of 32 bits "
-        "at most if they are whole numbers, neither scaled nor compressed otherwise than by gzip; "
-        "in other formats volumes are written as " +
-        written_extensions());
+  check_written("--output", flags.output, volume);
+  if (file_kind(flags.output) == FileKind::raw && flags.volume.skip.value_or(0) > 0) {
+    throw InvalidArgument("--output " + flags.output +
+                          " would lack the header that --skip passes over; name a .nrrd");
   }
   if (flags.volume.nan_as) {
     throw InvalidArgument("--output " + flags.output +
                           " would hold the value of --nan-as in place of NaN; only a copy of " +
                           flags.volume.file + " in its own format keeps NaN");
   }
-  if (file_kind(flags.output) == FileKind::raw) check_raw(flags, volume);
-  const bool is_rounded = file_format(flags.output)->written == Written::as_floats &&
-                          !volume.mask && voxel_type(volume.values) != VoxelType::float32;
-  if (is_rounded) {
-    throw InvalidArgument("OpenVDB grids are written as float, which would round the voxels of " +
-                          flags.volume.file + "; name an --output of .nrrd");
+  check_writer_memory("write", flags.output, run);
+  warn_of_left_out(run, flags.output);
+  const std::string& file = flags.volume.file;
+  if (file_kind(flags.output) == file_kind(file)) {
+    add_warning(run, flags.output + " is written anew, since " + file +
+                         " cannot be copied with single voxels changed (it is scaled, packed in "
+                         "another way, or of another type than is read): its voxels are " +
+                         type_name(volume.values) +
+                         ", and what else the header states, and other frames, are left out");
   }
 }
 
-void apply(const Repair& repair, Volume& volume) {
+void change_voxels(const std::vector<VoxelChange>& changes, Volume& volume) {
   std::visit(
       [&]<class T>(std::vector<T>& values) {
-        for (const VoxelChange& change : repair.changes)
+        for (const VoxelChange& change : changes)
           values[change.voxel] = static_cast<T>(change.after);
       },
       volume.values);
 }
 
-void write_repaired(const CommandFlags& flags, const Repair& repair, const Volume& volume) {
+void write_repaired(const CommandFlags& flags, const std::vector<VoxelChange>& changes,
+                    const Volume& volume) {
   if (!is_patched(flags, volume)) {
     write_volume(volume, flags.output);
     return;
   }
   std::vector<std::size_t> voxels;
-  for (const VoxelChange& change : repair.changes) voxels.push_back(change.voxel);
+  for (const VoxelChange& change : changes) voxels.push_back(change.voxel);
   AtomicFile file(flags.output);
   write_patched(volume, voxels, file.stream());
   file.commit();
@@ -127,25 +117,48 @@ void check_together(const CommandFlags& flags) {
   }
 }
 
-RepairRun run_of(const CommandFlags& flags, const Progress& progress) {
+/// The label map that --label makes a mask of.
+Volume label_map(const CommandFlags& flags, RunInput& run) {
+  VolumeFlags all = flags.volume;
+  all.label.clear();
+  Volume labels = read_named(all, read_options(all), run.staged);
+  const std::uint64_t bytes = checked_voxel_bytes(
+      labels.dims, bytes_per_voxel(voxel_type(labels.values)), flags.volume.file);
+  run.cost.max_bytes -= std::min(run.cost.max_bytes, bytes);
+  return labels;
+}
+
+/// `labels` is filled where --label asks for some and a volume is to be written.
+RepairRun run_of(const CommandFlags& flags, std::optional<Volume>& labels,
+                 const Progress& progress) {
   RunInput input = read_run(flags.volume, flags.level);
   const RepairRequest request = repair_request(flags.repair, &input.volume);
-  if (!flags.dry_run) check_format(flags, input.volume);
+  if (!flags.dry_run && !flags.volume.label.empty()) labels = label_map(flags, input);
+  if (!flags.dry_run) check_output(flags, labels ? *labels : input.volume, input);
+  tell_warnings(std::cerr, input);
   return repaired_run(std::move(input), boundary_of(flags.level), request, progress);
 }
 
 /// Writes the repaired volume, unless the run is a dry one.
-void settle(const CommandFlags& flags, RepairRun& run) {
+void settle(const CommandFlags& flags, std::optional<Volume>& labels, RepairRun& run) {
   compare_with_mesh(run, run.repair.before);
   if (flags.dry_run) return;
-  apply(run.repair, run.volume);
   run.output = flags.output;
-  write_repaired(flags, run.repair, run.volume);
+  change_voxels(run.repair.changes, run.volume);
+  if (!labels) return write_repaired(flags, run.repair.changes, run.volume);
+  const LabelChanges changes =
+      changes_of_labels(run.repair, view(*labels), parse_labels(flags.volume.label));
+  if (changes.overwritten > 0)
+    add_warning(
+        run, "voxels filled that had another label than 0: " + std::to_string(changes.overwritten));
+  change_voxels(changes.changes, *labels);
+  write_repaired(flags, changes.changes, *labels);
 }
 
 void repair(const CommandFlags& flags) {
   repair_request(flags.repair);  // refused before anything is read
   check_together(flags);
+  std::optional<Volume> labels;
   RepairRun run;
   OutputFiles outputs(flags.volume.file);
   if (!flags.dry_run) outputs.reserve("--output", flags.output);
@@ -153,8 +166,8 @@ void repair(const CommandFlags& flags) {
   check_table_flags(flags.table, outputs.uses_stdout());
   run_and_report<RepairRun>(
       flags.progress, outputs, run,
-      {.run = [&](const Progress& progress) { return run_of(flags, progress); },
-       .settle = [&](RepairRun& repaired) { settle(flags, repaired); },
+      {.run = [&](const Progress& progress) { return run_of(flags, labels, progress); },
+       .settle = [&](RepairRun& repaired) { settle(flags, labels, repaired); },
        .table =
            [&](std::ostream& out, const RepairRun& repaired) {
              if (flags.table.summary) return write_repair_summary(out, repaired);
@@ -171,12 +184,11 @@ void add_repair_command(CLI::App& app) {
   add_level_flags(command, flags->level);
   add_volume_flags(command, flags->volume);
   add_repair_flags(command, flags->repair);
-  want_file_name(
-      command
-          .add_option(
-              "-o,--output", flags->output,
-              "the repaired volume: FILE with the changed voxels, or anew as .nrrd, .raw or .vdb")
-          ->type_name("FILE"));
+  want_file_name(command
+                     .add_option("-o,--output", flags->output,
+                                 "the repaired volume: FILE with the changed voxels, or anew as " +
+                                     written_extensions())
+                     ->type_name("FILE"));
   command.add_flag("--dry-run", flags->dry_run, "report, and write no volume");
   want_file_name(
       command.add_option("--json", flags->json, "write the report as JSON; - is standard output")

@@ -367,12 +367,15 @@ std::vector<std::string> tie_numbers_to_flags(const std::vector<std::string>& ar
       break;
     }
     const std::size_t most = numbers_after(arguments[i]);
-    std::string joined = arguments[i++];
+    const std::string flag = arguments[i++];
+    std::string joined = flag;
     if (most > 0 && (i == arguments.size() || arguments[i].starts_with("--"))) {
       throw InvalidArgument(joined + " wants a number after it");
     }
     for (std::size_t taken = 0; taken < most && i < arguments.size(); ++taken, ++i) {
-      if (!parse_number<double>(arguments[i])) break;
+      const bool is_one = flag == "--spacing" ? is_length(arguments[i])
+                                              : parse_number<double>(arguments[i]).has_value();
+      if (!is_one) break;
       joined += (taken == 0 ? '=' : ' ') + arguments[i];
     }
     tied.push_back(std::move(joined));

@@ -33,6 +33,12 @@ TypedLength parse_length(const std::string& flag, std::string_view text) {
   return {*number, split.unit};
 }
 
+bool is_length(std::string_view word) {
+  const std::size_t end = number_end(word);
+  return parse_number<double>(word.substr(0, end)) &&
+         (end == word.size() || length_unit(word.substr(end)));
+}
+
 double length_in(const TypedLength& length, const Volume& volume, const std::string& flag) {
   if (length.unit.empty()) return length.value;
   const std::optional<LengthUnit> typed = length_unit(length.unit);

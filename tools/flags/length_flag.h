@@ -18,6 +18,9 @@ struct TypedLength {
 /// Throws InvalidArgument naming the flag.
 TypedLength parse_length(const std::string& flag, std::string_view text);
 
+/// Whether the word is a number, or one with a unit of length after it.
+bool is_length(std::string_view word);
+
 /// In the unit of the volume's spacing. Throws InvalidArgument naming the flag where the length has
 /// a unit and the volume states none.
 double length_in(const TypedLength& length, const Volume& volume, const std::string& flag);

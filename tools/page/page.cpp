@@ -235,7 +235,7 @@ PageData data_of(const LoopsRun& run, const PageOptions& options) {
             {"spacing", volume.spacing},
             {"origin", volume.origin},
             {"direction", volume.direction},
-            {"frame", frame_text(volume.frame)},
+            {"frame", frame_name(volume.frame)},
             {"iso", run.level.iso},
             {"inside", inside_text(run)},
             {"open", surface.boundary == Boundary::open},

@@ -85,7 +85,7 @@ Json conventions_of(const CountRun& run, const LoopsRun* loops) {
     conventions["tighten"] = tighten_text(loops->tighten);
     conventions["infinite_size"] = "null: the loop joins two components of the surface";
   }
-  conventions["coordinates"] = {{"frame", frame_text(run.volume.frame)},
+  conventions["coordinates"] = {{"frame", frame_name(run.volume.frame)},
                                 {"affine", affine_of(run.volume)},
                                 {"center_index", "voxel indices"},
                                 {"center_world", "frame"},

@@ -59,7 +59,7 @@ void write_header(std::ostream& out, const LoopsRun& run, const MeshSize& size) 
       << "comment isoloop: iso-surface (grey), handle loops (green), tunnel loops (red), "
       << "other loops (blue)\n"
       << "comment inside is " << inside_text(run) << "\n"
-      << "comment frame " << frame_text(run.volume.frame) << ", lengths in the unit of the spacing "
+      << "comment frame " << frame_name(run.volume.frame) << ", lengths in the unit of the spacing "
       << shortest_text(run.volume.spacing[0]) << ' ' << shortest_text(run.volume.spacing[1]) << ' '
       << shortest_text(run.volume.spacing[2]) << "\nelement vertex " << size.vertices
       << "\nproperty float x\nproperty float y\nproperty float z\n"

@@ -261,20 +261,6 @@ std::string fix_text(LoopKind kind) {
   return "none";
 }
 
-std::string frame_text(Frame frame) {
-  switch (frame) {
-    case Frame::index:
-      return "index";
-    case Frame::world:
-      return "world";
-    case Frame::lps:
-      return "LPS";
-    case Frame::ras:
-      return "RAS";
-  }
-  return "index";
-}
-
 std::string unit_text(const Volume& volume) {
   return volume.unit.empty() ? "unit of the spacing" : volume.unit;
 }
@@ -286,7 +272,7 @@ std::string with_unit(const std::string& name, const Volume& volume, int power) 
 
 std::string frame_comment(const RunInput& run) {
   const Vec3& spacing = run.volume.spacing;
-  return "frame " + frame_text(run.volume.frame) + ", spacing " + shortest_text(spacing[0]) + ' ' +
+  return "frame " + frame_name(run.volume.frame) + ", spacing " + shortest_text(spacing[0]) + ' ' +
          shortest_text(spacing[1]) + ' ' + shortest_text(spacing[2]) + " in the unit of lengths";
 }
 

@@ -52,9 +52,6 @@ std::string kind_text(LoopKind kind);
 /// What takes the loop's handle or tunnel away: "cut" or "fill"; "none" where neither is known to.
 std::string fix_text(LoopKind kind);
 
-/// "index", "world", "LPS" or "RAS".
-std::string frame_text(Frame frame);
-
 /// The unit of lengths: "µm" and the like, "unit of the spacing" where the file does not state it.
 std::string unit_text(const Volume& volume);
 

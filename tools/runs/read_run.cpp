@@ -32,6 +32,12 @@ IsoLevel level_of(LevelFlags flags, RunInput& run) {
   return run.level;
 }
 
+/// That which --spacing states.
+void take_unit(const VolumeFlags& flags, Volume& volume) {
+  if (const std::string unit = split_unit("--spacing", flags.spacing).unit; !unit.empty())
+    volume.unit = unit;
+}
+
 }  // namespace
 
 Volume read_named(const VolumeFlags& flags, const ReadOptions& options, const StagedFile& staged) {
@@ -64,31 +70,41 @@ Volume read_flagged(const VolumeFlags& flags, VdbMargin margin) {
   check_flags_fit_file(flags);
   ReadOptions options = read_options(flags);
   options.margin = margin;
-  return about_file(flags.file, [&] {
+  Volume volume = about_file(flags.file, [&] {
     return in_stage("read", [&] { return read_volume(flags.file, options); });
   });
+  take_unit(flags, volume);
+  return volume;
+}
+
+RunInput read_input(const VolumeFlags& flags, VdbMargin margin) {
+  const auto start = std::chrono::steady_clock::now();
+  RunInput run;
+  run.file = flags.file;
+  run.nan_as = flags.nan_as;
+  check_flags_fit_file(flags);
+  ReadOptions options = read_options(flags);
+  options.margin = margin;
+  run.staged = staged_input(flags);
+  const std::uint64_t available = default_voxel_limit();
+  if (options.max_bytes > 0) cap_memory(options.max_bytes);
+  run.volume = about_file(run.file, [&] {
+    return in_stage("read", [&] { return read_named(flags, options, run.staged); });
+  });
+  const std::uint64_t limit = options.max_bytes > 0 ? options.max_bytes : available;
+  run.cost.max_bytes = limit - std::min(limit, resident_bytes());
+  take_unit(flags, run.volume);
+  run.cost.read_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return run;
 }
 
 RunInput read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flags) {
   const auto start = std::chrono::steady_clock::now();
-  RunInput run;
-  run.file = volume_flags.file;
-  run.nan_as = volume_flags.nan_as;
   check_flags_agree(volume_flags, level_flags);
-  check_flags_fit_file(volume_flags);
-  ReadOptions options = read_options(volume_flags);
   // A layer of background would close the surface that is to end there.
-  if (level_flags.open_boundary) options.margin = VdbMargin::none;
-  run.staged = staged_input(volume_flags);
-  const std::uint64_t available = default_voxel_limit();
-  if (options.max_bytes > 0) cap_memory(options.max_bytes);
-  run.volume = about_file(run.file, [&] {
-    return in_stage("read", [&] { return read_named(volume_flags, options, run.staged); });
-  });
-  const std::uint64_t limit = options.max_bytes > 0 ? options.max_bytes : available;
-  run.cost.max_bytes = limit - std::min(limit, resident_bytes());
-  if (const std::string unit = split_unit("--spacing", volume_flags.spacing).unit; !unit.empty())
-    run.volume.unit = unit;
+  RunInput run =
+      read_input(volume_flags, level_flags.open_boundary ? VdbMargin::none : VdbMargin::background);
   settle_level(run, level_flags, !volume_flags.label.empty());
   if (volume_flags.label.empty()) {
     const std::string labels =

@@ -23,10 +23,14 @@ Volume read_flagged(const VolumeFlags& flags, VdbMargin margin);
 /// choose_iso().
 void settle_level(RunInput& run, const LevelFlags& flags, bool is_mask_of_labels);
 
-/// Reads the volume, settles the level, with --iso auto as choose_iso() does, and tells the
-/// warnings on standard error; the analysis is still empty. --max-memory, if given, bounds the
-/// process from here on. Throws as check_flags_agree, check_flags_fit_file, read_options,
-/// read_volume and iso_level do.
+/// Reads the volume, from a pipe too, and nothing of a level; tells no warnings. --max-memory, if
+/// given, bounds the process from here on. Throws as check_flags_fit_file, read_options and
+/// read_volume do.
+RunInput read_input(const VolumeFlags& flags, VdbMargin margin = VdbMargin::background);
+
+/// Reads the volume as read_input() does, settles the level, with --iso auto as choose_iso() does,
+/// and tells the warnings on standard error; the analysis is still empty. Throws as
+/// check_flags_agree, read_input and iso_level do.
 RunInput read_run(const VolumeFlags& volume_flags, const LevelFlags& level_flags);
 
 /// The error, with the advice to read a part made one to take larger voxels if `file` is a mesh, of

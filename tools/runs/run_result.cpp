@@ -101,9 +101,8 @@ std::vector<Loop> select_loops(const std::vector<Loop>& loops, const LoopFilter&
 std::vector<std::size_t> largest_first(const std::vector<Loop>& loops) {
   std::vector<std::size_t> places(loops.size());
   std::iota(places.begin(), places.end(), std::size_t{0});
-  std::stable_sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) {
-    return loops[a].size > loops[b].size;
-  });
+  std::stable_sort(places.begin(), places.end(),
+                   [&](std::size_t a, std::size_t b) { return loops[a].size > loops[b].size; });
   return places;
 }
 

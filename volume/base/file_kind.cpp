@@ -32,23 +32,31 @@ constexpr std::array<FileFormat, 15> formats{{
      .name = "OpenVDB",
      .extensions = {".vdb"},
      .written = Written::as_floats,
+     .written_frame = WrittenFrame::world,
      .takes = any_volume | all_of({Option::grid})},
     {.kind = FileKind::nifti,
      .name = "NIfTI",
      .extensions = {".nii", ".hdr", ".img"},
      .may_be_packed = true,
      .may_be_patched = true,
+     .written = Written::as_they_are,
+     .written_frame = WrittenFrame::ras,
+     .writes_unit = true,
      .takes = framed | all_of({Option::transform})},
     {.kind = FileKind::nrrd,
      .name = "NRRD",
      .extensions = {".nrrd", ".nhdr"},
      .may_be_patched = true,
      .written = Written::as_they_are,
+     .written_frame = WrittenFrame::any,
+     .writes_unit = true,
      .takes = framed},
     {.kind = FileKind::meta_image,
      .name = "MetaImage",
      .extensions = {".mha", ".mhd"},
      .may_be_patched = true,
+     .written = Written::as_they_are,
+     .written_frame = WrittenFrame::lps,
      .takes = framed},
     {.kind = FileKind::dicom,
      .name = "DICOM",
@@ -73,10 +81,13 @@ constexpr std::array<FileFormat, 15> formats{{
      .name = "NumPy",
      .extensions = {".npy"},
      .may_be_patched = true,
+     .written = Written::as_they_are,
      .takes = framed},
     {.kind = FileKind::vti,
      .name = "VTK",
      .extensions = {".vti"},
+     .written = Written::as_they_are,
+     .written_frame = WrittenFrame::world,
      .takes = spaced | all_of({Option::grid})},
     {.kind = FileKind::stl, .name = "STL", .extensions = {".stl"}, .is_mesh = true, .takes = mesh},
     {.kind = FileKind::ply, .name = "PLY", .extensions = {".ply"}, .is_mesh = true, .takes = mesh},
@@ -95,7 +106,7 @@ bool ends_in(const FileFormat& format, std::string_view name) {
 }
 
 /// "a, b and c".
-std::string list_of(const std::vector<std::string_view>& words, const char* last) {
+std::string list_of(const std::vector<std::string>& words, const char* last) {
   std::string text;
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (i > 0) text += i + 1 == words.size() ? last : ", ";
@@ -104,12 +115,12 @@ std::string list_of(const std::vector<std::string_view>& words, const char* last
   return text;
 }
 
-std::vector<std::string_view> extensions_of(bool meshes) {
-  std::vector<std::string_view> extensions;
+std::vector<std::string> extensions_of(bool meshes) {
+  std::vector<std::string> extensions;
   for (const FileFormat& format : formats) {
     if (format.is_mesh != meshes) continue;
     for (const std::string_view extension : format.extensions) {
-      if (!extension.empty()) extensions.push_back(extension);
+      if (!extension.empty()) extensions.emplace_back(extension);
     }
   }
   return extensions;
@@ -147,15 +158,19 @@ std::string mesh_extensions() { return list_of(extensions_of(true), " and "); }
 
 bool is_written(const std::filesystem::path& path) {
   const FileFormat* const format = file_format(path);
-  return format != nullptr && format->written != Written::no &&
-         lower_case_name(path).ends_with(format->extensions[0]);
+  if (format == nullptr || format->written == Written::no) return false;
+  std::string name = lower_case_name(path);
+  if (name.ends_with(".gz")) name.resize(name.size() - 3);
+  return name.ends_with(format->extensions[0]);
 }
 
 std::string written_extensions() {
-  std::vector<std::string_view> extensions;
+  std::vector<std::string> extensions;
   for (const Written how : {Written::as_they_are, Written::as_floats}) {
     for (const FileFormat& format : formats) {
-      if (format.written == how) extensions.push_back(format.extensions[0]);
+      if (format.written != how) continue;
+      extensions.emplace_back(format.extensions[0]);
+      if (format.may_be_packed) extensions.push_back(extensions.back() + ".gz");
     }
   }
   return list_of(extensions, " or ");

@@ -34,6 +34,10 @@ enum class FileKind {
 /// How volumes are written in a format.
 enum class Written { no, as_they_are, as_floats };
 
+/// The frames that a format has names for, where volumes are written in it. `none`: it says nothing
+/// of where voxels lie. `any` is all.
+enum class WrittenFrame { none, world, lps, ras, any };
+
 struct FileFormat {
   FileKind kind;
   std::string_view name;                         // "NIfTI", for messages
@@ -42,8 +46,10 @@ struct FileFormat {
   bool is_slice = false;                         // a folder of such files may be one volume
   bool may_be_packed = false;                    // also with ".gz" behind the extension
   bool may_be_patched = false;    // single voxels can be replaced in a copy of the file
-  Written written = Written::no;  // under the first extension alone
-  std::uint32_t takes = 0;        // options that mean something: takes_option()
+  Written written = Written::no;  // under the first extension alone, also packed if it may be
+  WrittenFrame written_frame = WrittenFrame::none;
+  bool writes_unit = false;  // of lengths
+  std::uint32_t takes = 0;   // options that mean something: takes_option()
 };
 
 /// In the order in which messages list them.
@@ -63,10 +69,10 @@ std::string supported_extensions();
 /// ".stl, .ply, .obj and .off", for messages.
 std::string mesh_extensions();
 
-/// Whether isoloop writes volumes to files of this name too: .raw, .nrrd and .vdb.
+/// Whether isoloop writes volumes to files of this name too.
 bool is_written(const std::filesystem::path& path);
 
-/// ".raw, .nrrd or .vdb", for messages: those first that keep the type of the voxels.
+/// ".raw, .nii, … or .vdb", for messages: those first that keep the type of the voxels.
 std::string written_extensions();
 
 /// ".raw", ".nii.gz", in lower case.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
 
 #include "volume/base/memory_limit.h"
 #include "volume/voxels/placement.h"
@@ -17,5 +18,9 @@ namespace isoloop {
 /// channels, voxels as text, data in several files, a placement that place() refuses.
 Volume read_meta_image(const std::filesystem::path& path, const FormatOptions& options = {},
                        const VoxelLimits& limits = {});
+
+/// Writes a .mha file: header and voxels, little-endian, in their stored type. RAS is turned to
+/// LPS, which readers take all such files to be in. A failure shows in the stream's state.
+void write_meta_image(std::ostream& out, const Volume& volume);
 
 }  // namespace isoloop

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
+#include <string>
 
 #include "volume/base/memory_limit.h"
 #include "volume/voxels/placement.h"
@@ -18,5 +20,11 @@ namespace isoloop {
 /// complex and vector voxels, a placement that place() refuses.
 Volume read_nifti(const std::filesystem::path& path, const FormatOptions& options = {},
                   const VoxelLimits& limits = {});
+
+/// Writes NIfTI-1, little-endian, by gzip if `packed`: voxels in their stored type; the place as an
+/// sform, in RAS (LPS is turned); none of frame `index`, which states lengths alone. The unit goes
+/// where it is m, mm or µm. Throws InvalidArgument, naming `what`, if an axis has more than 32767
+/// voxels. A failure to write shows in the stream's state.
+void write_nifti(std::ostream& out, const Volume& volume, const std::string& what, bool packed);
 
 }  // namespace isoloop

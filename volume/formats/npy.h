@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
 
 #include "volume/base/memory_limit.h"
 #include "volume/voxels/placement.h"
@@ -17,5 +18,9 @@ namespace isoloop {
 /// sense, complex numbers, records, objects and texts.
 Volume read_npy(const std::filesystem::path& path, const FormatOptions& options = {},
                 const VoxelLimits& limits = {});
+
+/// Writes an array[z, y, x], little-endian, in C order; a mask of 0 and 1 as bools. The format says
+/// nothing of where voxels lie. A failure shows in the stream's state.
+void write_npy(std::ostream& out, const Volume& volume);
 
 }  // namespace isoloop

@@ -12,6 +12,7 @@
 
 #include "volume/base/header_text.h"
 #include "volume/base/refuse.h"
+#include "volume/voxels/length_unit.h"
 #include "volume/voxels/stored_voxels.h"
 
 namespace isoloop {
@@ -255,6 +256,29 @@ Placement placement_of(const Fields& fields, const Axes& axes, const std::string
   return placement;
 }
 
+/// What `units` or `space units` says of all axes of space alike; empty if they do not.
+std::string unit_of(const Fields& fields, const Axes& axes) {
+  const bool by_space = fields.contains("spacedirections");
+  const auto given = fields.find(by_space ? "spaceunits" : "units");
+  if (given == fields.end()) return {};
+  std::vector<std::string> words;  // between quotation marks, which may hold nothing
+  std::string_view text = given->second;
+  while (!(text = trimmed(text)).empty()) {
+    const std::size_t end = text.find('"', 1);
+    if (text[0] != '"' || end == std::string_view::npos) return {};
+    words.emplace_back(text.substr(1, end - 1));
+    text.remove_prefix(end + 1);
+  }
+  std::string unit;
+  for (std::size_t i = 0; i < axes.spatial.size(); ++i) {
+    const std::size_t place = by_space ? i : axes.spatial[i];
+    const auto length = place < words.size() ? length_unit(words[place]) : std::nullopt;
+    if (!length || (i > 0 && length->name != unit)) return {};
+    unit = length->name;
+  }
+  return unit;
+}
+
 std::int64_t whole_field(const Fields& fields, const std::string& name, const std::string& what) {
   const auto given = fields.find(name);
   return given == fields.end() ? 0 : whole_numbers_of(given->second, 1, what).front();
@@ -328,6 +352,7 @@ Volume read_nrrd(const std::filesystem::path& path, const FormatOptions& options
   Placement placement;
   if (!options.spacing) placement = placement_of(fields, axes, what);
   place(volume, placement, options.spacing, what);
+  if (!options.spacing) volume.unit = unit_of(fields, axes);
   const std::uint64_t frame = choose_frame(layout, options.frame, what);
 
   const std::filesystem::path data = detached ? beside(path, fields.at("datafile")) : path;

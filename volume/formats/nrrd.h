@@ -12,7 +12,8 @@ namespace isoloop {
 
 /// Reads a .nrrd file, or a .nhdr file and the data file that it names; encodings raw and gzip. A
 /// fourth axis counts frames. The frame is `lps` or `ras` as `space` says (LAS is turned to `ras`),
-/// `world` for other spaces, and `index` without one.
+/// `world` for other spaces, and `index` without one. The unit is that of `space units` or `units`,
+/// where it is one of length, the same for all axes.
 /// Throws InvalidArgument (several frames, and options.frame does not choose), LimitExceeded, and
 /// InvalidInput: bytes that are missing, damaged or too many, a header that makes no sense, axes of
 /// colours, vectors or complex numbers, other encodings, data in several files, a placement that
@@ -20,8 +21,9 @@ namespace isoloop {
 Volume read_nrrd(const std::filesystem::path& path, const FormatOptions& options = {},
                  const VoxelLimits& limits = {});
 
-/// Writes a header and the voxels, raw and little-endian, in their stored type. The frame is kept:
-/// a volume of frame `index` states spacings and no space. A failure shows in the stream's state.
+/// Writes a header and the voxels, raw and little-endian, in their stored type. The frame and the
+/// unit are kept: a volume of frame `index` states spacings and no space. A failure shows in the
+/// stream's state.
 void write_nrrd(std::ostream& out, const Volume& volume);
 
 }  // namespace isoloop

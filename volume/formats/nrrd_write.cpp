@@ -1,23 +1,15 @@
-#include <array>
-#include <charconv>
 #include <ostream>
 #include <string>
 
+#include "volume/base/number_words.h"
 #include "volume/formats/nrrd.h"
 #include "volume/formats/raw.h"
 
 namespace isoloop {
 namespace {
 
-/// The shortest decimal that reads back as `number`.
-std::string text(double number) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-  return {digits.data(), end};
-}
-
 void write_vector(std::ostream& out, const Vec3& v, double length) {
-  for (std::size_t c = 0; c < 3; ++c) out << (c == 0 ? '(' : ',') << text(v[c] * length);
+  for (std::size_t c = 0; c < 3; ++c) out << (c == 0 ? '(' : ',') << word_of_number(v[c] * length);
   out << ')';
 }
 
@@ -43,11 +35,19 @@ const char* space_text(Frame frame) {
   }
 }
 
+void write_units(std::ostream& out, const char* field, const std::string& unit) {
+  if (unit.empty()) return;
+  out << field;
+  for (int axis = 0; axis < 3; ++axis) out << " \"" << unit << '"';
+  out << '\n';
+}
+
 void write_placement(std::ostream& out, const Volume& volume) {
   if (volume.frame == Frame::index) {
     out << "spacings:";
-    for (const double length : volume.spacing) out << ' ' << text(length);
+    for (const double length : volume.spacing) out << ' ' << word_of_number(length);
     out << '\n';
+    write_units(out, "units:", volume.unit);
     return;
   }
   out << space_text(volume.frame) << "space directions:";
@@ -58,6 +58,7 @@ void write_placement(std::ostream& out, const Volume& volume) {
   out << "\nspace origin: ";
   write_vector(out, volume.origin, 1.0);
   out << '\n';
+  write_units(out, "space units:", volume.unit);
 }
 
 }  // namespace

@@ -94,22 +94,26 @@ Volume read_raw(const std::filesystem::path& path, const RawOptions& options,
   return volume;
 }
 
-void write_raw(std::ostream& out, const Volume& volume) {
+void for_each_little_endian(const VoxelArray& values,
+                            const std::function<void(std::span<const std::byte>)>& take) {
   std::visit(
-      [&]<class T>(const std::vector<T>& values) {
-        const auto put = [&](std::span<const T> voxels) {
-          out.write(reinterpret_cast<const char*>(voxels.data()),
-                    static_cast<std::streamsize>(voxels.size_bytes()));
-        };
+      [&]<class T>(const std::vector<T>& voxels) {
         if constexpr (native_endian == Endian::little) {
-          put(values);
+          take(std::as_bytes(std::span(voxels)));
         } else {
-          std::vector<T> swapped = values;
+          std::vector<T> swapped = voxels;
           swap_bytes<T>(swapped);
-          put(swapped);
+          take(std::as_bytes(std::span(swapped)));
         }
       },
-      volume.values);
+      values);
+}
+
+void write_raw(std::ostream& out, const Volume& volume) {
+  for_each_little_endian(volume.values, [&](std::span<const std::byte> bytes) {
+    out.write(reinterpret_cast<const char*>(bytes.data()),
+              static_cast<std::streamsize>(bytes.size()));
+  });
 }
 
 }  // namespace isoloop

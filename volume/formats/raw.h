@@ -1,9 +1,12 @@
 // Raw volumes: voxels and nothing else, so size and type come from the name or the caller.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <iosfwd>
 #include <optional>
+#include <span>
 
 #include "isoloop/read.h"
 #include "isoloop/volume.h"
@@ -27,6 +30,10 @@ std::optional<RawLayout> layout_from_name(const std::filesystem::path& path);
 /// longer, or cannot be read). Sizes are checked before memory is asked for. NaN passes.
 Volume read_raw(const std::filesystem::path& path, const RawOptions& options,
                 const VoxelLimits& limits = {});
+
+/// Calls `take` with the voxels' bytes in that order, once or piece by piece.
+void for_each_little_endian(const VoxelArray& values,
+                            const std::function<void(std::span<const std::byte>)>& take);
 
 /// Writes the voxels, first axis fastest, little-endian. A failure shows in the stream's state.
 void write_raw(std::ostream& out, const Volume& volume);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
 
 #include "volume/base/memory_limit.h"
 #include "volume/voxels/placement.h"
@@ -18,5 +19,9 @@ namespace isoloop {
 /// refuses.
 Volume read_vti(const std::filesystem::path& path, const FormatOptions& options = {},
                 const VoxelLimits& limits = {});
+
+/// Writes point data, raw and little-endian, appended: `distance` of a level set, `mask`, else
+/// `values`. The format has no name for LPS and RAS. A failure shows in the stream's state.
+void write_vti(std::ostream& out, const Volume& volume);
 
 }  // namespace isoloop

@@ -137,7 +137,62 @@ void report(const Census& census, const std::vector<std::int64_t>& labels, const
   }
 }
 
+template <class T>
+class LabelsRound {
+ public:
+  LabelsRound(const GridView<T>& labels, const std::vector<std::int64_t>& asked)
+      : labels_(labels), asked_(asked.begin(), asked.end()), first_asked_(asked.front()) {
+    while (asked_.contains(first_other_)) ++first_other_;
+  }
+
+  std::int64_t label_of_sided(const SidedVoxel& sided) const {
+    std::map<std::int64_t, int> votes;
+    const auto at = static_cast<std::int64_t>(sided.voxel);
+    const Index3& dims = labels_.dims;
+    const Index3 voxel{at % dims[0], at / dims[0] % dims[1], at / (dims[0] * dims[1])};
+    for (std::int64_t i = 0; i < 27; ++i) {
+      const Index3 near{voxel[0] + i % 3 - 1, voxel[1] + i / 3 % 3 - 1, voxel[2] + i / 9 - 1};
+      if (i == 13 || !is_within(near)) continue;
+      const std::size_t place =
+          static_cast<std::size_t>(near[0] + dims[0] * (near[1] + dims[1] * near[2]));
+      const std::optional<std::int64_t> label = label_of(labels_.values[place]);
+      if (label && asked_.contains(*label) == sided.is_inside) ++votes[*label];
+    }
+    if (votes.empty()) return sided.is_inside ? first_asked_ : first_other_;
+    // The first of the largest has the least label.
+    return std::max_element(votes.begin(), votes.end(),
+                            [](const auto& a, const auto& b) { return a.second < b.second; })
+        ->first;
+  }
+
+ private:
+  bool is_within(const Index3& voxel) const {
+    for (std::size_t a = 0; a < 3; ++a)
+      if (voxel[a] < 0 || voxel[a] >= labels_.dims[a]) return false;
+    return true;
+  }
+
+  const GridView<T>& labels_;
+  std::set<std::int64_t> asked_;
+  std::int64_t first_asked_;
+  std::int64_t first_other_ = 0;
+};
+
 }  // namespace
+
+std::vector<std::int64_t> labels_of_sided(const AnyGridView& labels,
+                                          std::span<const SidedVoxel> voxels,
+                                          const std::vector<std::int64_t>& asked) {
+  return std::visit(
+      [&]<class T>(const GridView<T>& grid) {
+        const LabelsRound<T> round(grid, asked);
+        std::vector<std::int64_t> result;
+        result.reserve(voxels.size());
+        for (const SidedVoxel& voxel : voxels) result.push_back(round.label_of_sided(voxel));
+        return result;
+      },
+      labels);
+}
 
 Volume mask_of_labels(Volume volume, const std::vector<std::int64_t>& labels,
                       const std::string& what) {

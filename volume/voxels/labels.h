@@ -1,7 +1,9 @@
 // Label maps: voxels that name what they belong to.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,5 +25,19 @@ inline constexpr std::int64_t voxels_for_each_stray = 1000;
 /// with examples of their values: that is no label map.
 Volume mask_of_labels(Volume volume, const std::vector<std::int64_t>& labels,
                       const std::string& what);
+
+/// A voxel of a label map, by its place in the order of the voxels, and the side that a repair of
+/// the mask has put it on.
+struct SidedVoxel {
+  std::size_t voxel = 0;
+  bool is_inside = false;
+};
+
+/// The labels that these voxels get: of the 26 voxels round it that were on that side before, the
+/// label that most have, of several the least; where none was, the first that is asked for, or
+/// outside the least from 0 on that is not.
+std::vector<std::int64_t> labels_of_sided(const AnyGridView& labels,
+                                          std::span<const SidedVoxel> voxels,
+                                          const std::vector<std::int64_t>& asked);
 
 }  // namespace isoloop

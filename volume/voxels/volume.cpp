@@ -97,6 +97,20 @@ std::string type_name(VoxelType type) { return std::string(words_of(type).name);
 
 std::string type_name(const VoxelArray& values) { return type_name(voxel_type(values)); }
 
+std::string frame_name(Frame frame) {
+  switch (frame) {
+    case Frame::index:
+      return "index";
+    case Frame::world:
+      return "world";
+    case Frame::lps:
+      return "LPS";
+    case Frame::ras:
+      return "RAS";
+  }
+  return "index";
+}
+
 std::optional<VoxelType> parse_voxel_type(std::string_view name) {
   for (std::size_t i = 0; i < type_words.size(); ++i) {
     if (name == type_words[i].name || name == type_words[i].short_name) {

@@ -25,8 +25,11 @@ TEST(FileKind, GoesByTheExtensionWhateverItsCase) {
 }
 
 TEST(FileKind, IsWrittenAsOneFileOnly) {
-  for (const char* name : {"a.raw", "a.NRRD", "a.vdb"}) EXPECT_TRUE(is_written(name)) << name;
-  for (const char* name : {"a.nhdr", "a.nii", "a.npy", "a.txt", "nrrd", ""})
+  for (const char* name :
+       {"a.raw", "a.NRRD", "a.vdb", "a.nii", "a.nii.GZ", "a.mha", "a.npy", "a.vti"})
+    EXPECT_TRUE(is_written(name)) << name;
+  for (const char* name :
+       {"a.nhdr", "a.hdr", "a.mhd", "a.nrrd.gz", "a.tif", "a.stl", "a.txt", "nrrd", ""})
     EXPECT_FALSE(is_written(name)) << name;
 }
 
@@ -44,7 +47,7 @@ TEST(FileFormats, AreOneForEachKindWithExtensionsOfTheirOwn) {
 }
 
 TEST(FileFormats, ListsNameEveryExtension) {
-  EXPECT_EQ(written_extensions(), ".raw, .nrrd or .vdb");
+  EXPECT_EQ(written_extensions(), ".raw, .nii, .nii.gz, .nrrd, .mha, .npy, .vti or .vdb");
   EXPECT_EQ(mesh_extensions(), ".stl, .ply, .obj and .off");
   for (const FileFormat& format : file_formats()) {
     const std::string list = format.is_mesh ? mesh_extensions() : supported_extensions();

@@ -1,6 +1,8 @@
 #include "volume/files/write.h"
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -68,49 +70,110 @@ VoxelArray counting_voxels(std::size_t count) {
   return values;
 }
 
-TEST(WriteVolume, NrrdKeepsEveryTypeAndItsVoxels) {
+TEST(WriteVolume, EveryTypeAndItsVoxelsAreKept) {
   const TempFolder folder;
   Volume volume;
   volume.dims = {4, 3, 2};
+  const std::vector<const char*> names{"a.nrrd", "a.nii", "a.nii.gz", "a.mha", "a.npy", "a.vti"};
   for (const VoxelArray& values :
        {counting_voxels<std::uint8_t>(24), counting_voxels<std::int8_t>(24),
         counting_voxels<std::uint16_t>(24), counting_voxels<std::int16_t>(24),
         counting_voxels<std::uint32_t>(24), counting_voxels<std::int32_t>(24),
         counting_voxels<float>(24), counting_voxels<double>(24)}) {
     volume.values = values;
-    write_volume(volume, folder / "a.nrrd");
-    const Volume back = read_volume(folder / "a.nrrd");
-    EXPECT_EQ(back.dims, volume.dims);
-    EXPECT_EQ(back.values, values) << type_name(values);
-  }
-  EXPECT_EQ(folder.entries(), 1);
-}
-
-TEST(WriteVolume, NrrdKeepsWhereTheVoxelsLie) {
-  const TempFolder folder;
-  Volume volume = make_shape("torus", {.size = 20}).volume;
-  volume.frame = Frame::index;
-  volume.spacing = {0.5, 0.25, 2.0};
-  volume.origin = {};
-  write_volume(volume, folder / "index.nrrd");
-  const Volume plain = read_volume(folder / "index.nrrd");
-  EXPECT_EQ(plain.frame, Frame::index);
-  EXPECT_EQ(plain.spacing, volume.spacing);
-  EXPECT_EQ(plain.origin, volume.origin);
-  volume.origin = {10.0, -20.125, 1e-7};
-  volume.direction = {Vec3{0.6, 0.8, 0.0}, Vec3{-0.8, 0.6, 0.0}, Vec3{0.0, 0.0, -1.0}};
-  for (const Frame frame : {Frame::world, Frame::lps, Frame::ras}) {
-    volume.frame = frame;
-    write_volume(volume, folder / "turned.nrrd");
-    const Volume back = read_volume(folder / "turned.nrrd");
-    EXPECT_EQ(back.frame, frame);
-    EXPECT_EQ(back.origin, volume.origin);
-    for (std::size_t a = 0; a < 3; ++a) {
-      EXPECT_NEAR(back.spacing[a], volume.spacing[a], 1e-12);
-      for (std::size_t c = 0; c < 3; ++c)
-        EXPECT_NEAR(back.direction[a][c], volume.direction[a][c], 1e-12);
+    for (const char* name : names) {
+      write_volume(volume, folder / name);
+      const Volume back = read_volume(folder / name);
+      EXPECT_EQ(back.dims, volume.dims) << name;
+      EXPECT_EQ(back.values, values) << name << ' ' << type_name(values);
+      EXPECT_FALSE(back.mask) << name;
+      EXPECT_TRUE(back.warnings.empty()) << name;
     }
   }
+  EXPECT_EQ(folder.entries(), 6);
+}
+
+/// The torus in a frame of its own, or without one.
+Volume placed_torus(Frame frame) {
+  Volume volume = make_shape("torus", {.size = 20}).volume;
+  volume.level_set = false;
+  volume.frame = frame;
+  volume.spacing = {0.5, 0.25, 2.0};
+  volume.origin = {};
+  if (frame == Frame::index) return volume;
+  volume.origin = {10.0, -20.125, 1e-7};
+  volume.direction = {Vec3{0.6, 0.8, 0.0}, Vec3{-0.8, 0.6, 0.0}, Vec3{0.0, 0.0, -1.0}};
+  return volume;
+}
+
+TEST(WriteVolume, WhereTheVoxelsLieIsKeptAsFarAsTheFormatCanSayIt) {
+  const TempFolder folder;
+  for (const Frame frame : {Frame::index, Frame::world, Frame::lps, Frame::ras}) {
+    const Volume volume = placed_torus(frame);
+    for (const char* name : {"a.nrrd", "a.nii.gz", "a.mha", "a.vti"}) {
+      write_volume(volume, folder / name);
+      const Volume back = read_volume(folder / name);
+      const bool turns = (frame == Frame::lps && back.frame == Frame::ras) ||
+                         (frame == Frame::ras && back.frame == Frame::lps);
+      const bool is_said =
+          frame == back.frame || turns || (frame == Frame::index && back.frame == Frame::world);
+      EXPECT_EQ(left_out_of(volume, name).empty(), is_said) << name << ' ' << frame_name(frame);
+      for (std::size_t a = 0; a < 3; ++a) {
+        EXPECT_NEAR(back.spacing[a], volume.spacing[a], 1e-12) << name;
+        for (std::size_t c = 0; c < 3; ++c) {
+          const double sign = turns && c < 2 ? -1.0 : 1.0;
+          // NIfTI has floats for it.
+          EXPECT_NEAR(back.direction[a][c], sign * volume.direction[a][c], 1e-7) << name;
+          EXPECT_NEAR(back.origin[c], sign * volume.origin[c], 1e-6) << name;
+        }
+      }
+    }
+  }
+}
+
+TEST(WriteVolume, UnitsAreKeptWhereTheFormatHasThem) {
+  const TempFolder folder;
+  Volume volume = placed_torus(Frame::ras);
+  for (const char* unit : {"mm", "µm", "m"}) {
+    volume.unit = unit;
+    for (const char* name : {"a.nrrd", "a.nii"}) {
+      EXPECT_TRUE(left_out_of(volume, name).empty()) << name;
+      write_volume(volume, folder / name);
+      EXPECT_EQ(read_volume(folder / name).unit, unit) << name;
+    }
+  }
+  EXPECT_TRUE(contains(left_out_of(volume, "a.vti").back().text, "in m is left out"));
+  volume.frame = Frame::index;
+  write_volume(volume, folder / "index.nrrd");
+  EXPECT_EQ(read_volume(folder / "index.nrrd").unit, "m");
+}
+
+TEST(WriteVolume, NpyKeepsAMaskAndSaysThatItHasNoPlace) {
+  const TempFolder folder;
+  const Volume mask{
+      .values = std::vector<std::uint8_t>{0, 1, 1, 0}, .dims = {2, 2, 1}, .mask = true};
+  EXPECT_TRUE(left_out_of(mask, "mask.npy").empty());
+  write_volume(mask, folder / "mask.npy");
+  const Volume back = read_volume(folder / "mask.npy");
+  EXPECT_TRUE(back.mask);
+  EXPECT_EQ(back.values, mask.values);
+  EXPECT_TRUE(contains(left_out_of(placed_torus(Frame::index), "a.npy").at(0).text,
+                       "the spacing 0.5 0.25 2 and the place are left out"));
+}
+
+TEST(WriteVolume, NiftiRefusesAnAxisThatItsHeaderCannotState) {
+  const TempFolder folder;
+  const Volume line{.values = std::vector<std::uint8_t>(32768), .dims = {32768, 1, 1}};
+  const std::string message =
+      message_of<InvalidArgument>([&] { write_volume(line, folder / "line.nii"); });
+  EXPECT_TRUE(contains(message, "32767 voxels along an axis")) << message;
+  EXPECT_EQ(folder.entries(), 0);
+}
+
+TEST(WriteVolume, ALevelSetIsSaidToBeOneByVdbAlone) {
+  const Volume torus = make_shape("torus", {.size = 20}).volume;
+  EXPECT_TRUE(left_out_of(torus, "a.vdb").empty());
+  EXPECT_TRUE(contains(left_out_of(torus, "a.nrrd").at(0).text, "distances of a level set"));
 }
 
 TEST(WriteVolume, VdbIsStableOnceItHasBeenRead) {

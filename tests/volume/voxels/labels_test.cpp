@@ -1,5 +1,10 @@
 #include "volume/voxels/labels.h"
 
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "core/base/errors.h"
@@ -19,6 +24,22 @@ TEST(Labels, BecomeAMask) {
   EXPECT_TRUE(mask.mask);
   EXPECT_EQ(mask.dims, map.dims);
   EXPECT_TRUE(mask.warnings.empty());
+}
+
+TEST(Labels, OfARepairedMaskAreThoseOfMostNeighboursOnTheNewSide) {
+  // Two rows of three: 3 3 0 and 4 7 0.
+  const Volume map{.values = std::vector<std::int16_t>{3, 3, 0, 4, 7, 0}, .dims = {3, 2, 1}};
+  const auto after = [&](std::size_t voxel, bool is_inside,
+                         const std::vector<std::int64_t>& asked) {
+    const SidedVoxel sided{.voxel = voxel, .is_inside = is_inside};
+    return labels_of_sided(view(map), std::span(&sided, 1), asked).at(0);
+  };
+  EXPECT_EQ(after(4, true, {3, 4}), 3) << "two of 3 beside one of 4";
+  EXPECT_EQ(after(3, true, {4, 7}), 7) << "its own label does not count";
+  EXPECT_EQ(after(1, false, {3}), 0) << "two of 0 beside 4 and 7";
+  EXPECT_EQ(after(0, false, {3}), 4) << "4 and 7 have one each: the least";
+  EXPECT_EQ(after(2, true, {9}), 9) << "no voxel round it is inside";
+  EXPECT_EQ(after(5, false, {0, 3, 7}), 1) << "nor outside: the least that is not asked for";
 }
 
 TEST(Labels, AreTheWholeNumbersNearestToTheValues) {
