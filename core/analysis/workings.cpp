@@ -231,6 +231,71 @@ ProvedLoops proved_loops(const Workings& workings, const AnalysisOptions& option
   return proved;
 }
 
+/// M, with the sides and cut edges that it is read off, and its counts.
+Workings cut_workings(StageClock& clock, const AnyGridView& grid, const IsoLevel& level,
+                      const AnalysisOptions& options) {
+  Workings workings;
+  Analysis& analysis = workings.analysis;
+  analysis.surface = clock.run("surface", 0.0, analysis.seconds.surface, [&] {
+    Cut cut = cut_volume(grid, level, options, true);
+    workings.sides = std::move(cut.sides);
+    workings.edges = std::move(cut.edges);
+    return std::move(cut.surface);
+  });
+  analysis.betti = betti_numbers(analysis.surface);
+  if (options.count_volume_triangles && !workings.sides->empty())
+    analysis.volume_triangles = count_volume_triangles(*workings.sides, *workings.edges);
+  return workings;
+}
+
+/// The passes of both sides, and the pairs if they are asked for.
+void run_engines(StageClock& clock, const EdgeSizes& sizes, const Room::Passes& passes,
+                 const AnalysisOptions& options, Workings& workings) {
+  Analysis& analysis = workings.analysis;
+  const auto complex_of = [&](Side side) {
+    return std::make_unique<GridComplex>(*workings.sides, *workings.edges, side);
+  };
+  workings.inside.complex = complex_of(Side::inside);
+  workings.outside.complex = complex_of(Side::outside);
+  clock.run("pass", 0.5, analysis.seconds.pass, [&] {
+    with_threads(passes.threads,
+                 [&] { run_passes(analysis.surface, sizes, workings, passes.both_sides_at_once); });
+    return true;
+  });
+  if (options.engine != Engine::pair) return;
+  analysis.pairs = clock.run("pair", 0.7, analysis.seconds.pair, [&] {
+    const GridComplex& inside = *workings.inside.complex;
+    const GridComplex& outside = *workings.outside.complex;
+    std::vector<SurfacePair> pairs = pair_simplices(
+        analysis.surface, SizedSide{inside, GridSizes(inside, *workings.edges, sizes)},
+        SizedSide{outside, GridSizes(outside, *workings.edges, sizes)}, options.pair);
+    if (orders_by_size(options.pair.refinement)) check_engines_agree(pairs, workings);
+    return pairs;
+  });
+}
+
+/// The classes, the borders and from them the loops; `searches`: threads at a time.
+void prove_loops(StageClock& clock, std::span<const std::uint32_t> closest, int searches,
+                 const AnalysisOptions& options, Workings& workings) {
+  Analysis& analysis = workings.analysis;
+  const Surface& surface = analysis.surface;
+  WorkedSide& inside = workings.inside;
+  WorkedSide& outside = workings.outside;
+  ProvedLoops proved = clock.run("loops", 0.8, analysis.seconds.loops, [&] {
+    workings.classes = surface.boundary == Boundary::open
+                           ? surface_classes(surface)
+                           : surface_classes(surface, *inside.complex, inside.pass,
+                                             *outside.complex, outside.pass);
+    inside = with_borders(surface, workings.classes, std::move(inside));
+    outside = with_borders(surface, workings.classes, std::move(outside));
+    return with_threads(searches, [&] { return proved_loops(workings, options, closest); });
+  });
+  analysis.seconds.slowest_loops = proved.slowest_seconds;
+  analysis.loops = std::move(proved.loops);
+  analysis.least_handle_length = proved.least_handle_length;
+  analysis.least_tunnel_length = proved.least_tunnel_length;
+}
+
 }  // namespace
 
 Analysis count_topology(const AnyGridView& grid, const IsoLevel& level,
@@ -250,22 +315,12 @@ Analysis analyze(const AnyGridView& grid, const IsoLevel& level, const AnalysisO
 Workings work_out_loops(const AnyGridView& grid, const IsoLevel& level,
                         const AnalysisOptions& options) {
   StageClock clock(options.progress);
-  Workings workings;
-  Analysis& analysis = workings.analysis;
-  StageSeconds& seconds = analysis.seconds;
-  analysis.surface = clock.run("surface", 0.0, seconds.surface, [&] {
-    Cut cut = cut_volume(grid, level, options, true);
-    workings.sides = std::move(cut.sides);
-    workings.edges = std::move(cut.edges);
-    return std::move(cut.surface);
-  });
+  Workings workings = cut_workings(clock, grid, level, options);
+  const Surface& surface = workings.analysis.surface;
+  if (surface.betti1() == 0) return workings;
+  StageSeconds& seconds = workings.analysis.seconds;
   const VoxelSides& sides = *workings.sides;
   const EdgeIndex& edges = *workings.edges;
-  const Surface& surface = analysis.surface;
-  analysis.betti = betti_numbers(surface);
-  if (options.count_volume_triangles && !sides.empty())
-    analysis.volume_triangles = count_volume_triangles(sides, edges);
-  if (surface.betti1() == 0) return workings;
   const Room room(sides.lattice, surface.points.size(), options.max_bytes);
   room.check_closest();
   const UnsetVector<std::uint32_t> closest = clock.run("closest", 0.05, seconds.closest, [&] {
@@ -279,39 +334,10 @@ Workings work_out_loops(const AnyGridView& grid, const IsoLevel& level,
     });
   });
   const Room::Passes passes = room.passes(sizes->by_edge.bytes());
-  const int loop_searches = room.loop_searches();
-  for (const Side side : {Side::inside, Side::outside})
-    (side == Side::inside ? workings.inside : workings.outside).complex =
-        std::make_unique<GridComplex>(sides, edges, side);
-  const GridComplex& inside = *workings.inside.complex;
-  const GridComplex& outside = *workings.outside.complex;
-  clock.run("pass", 0.5, seconds.pass, [&] {
-    with_threads(passes.threads,
-                 [&] { run_passes(surface, *sizes, workings, passes.both_sides_at_once); });
-    return true;
-  });
-  if (options.engine == Engine::pair)
-    analysis.pairs = clock.run("pair", 0.7, seconds.pair, [&] {
-      std::vector<SurfacePair> pairs =
-          pair_simplices(surface, SizedSide{inside, GridSizes(inside, edges, *sizes)},
-                         SizedSide{outside, GridSizes(outside, edges, *sizes)}, options.pair);
-      if (orders_by_size(options.pair.refinement)) check_engines_agree(pairs, workings);
-      return pairs;
-    });
+  const int loop_searches = room.loop_searches();  // refused before the pass, which takes longest
+  run_engines(clock, *sizes, passes, options, workings);
   sizes.reset();
-  ProvedLoops proved = clock.run("loops", 0.8, seconds.loops, [&] {
-    workings.classes = surface.boundary == Boundary::open
-                           ? surface_classes(surface)
-                           : surface_classes(surface, inside, workings.inside.pass, outside,
-                                             workings.outside.pass);
-    workings.inside = with_borders(surface, workings.classes, std::move(workings.inside));
-    workings.outside = with_borders(surface, workings.classes, std::move(workings.outside));
-    return with_threads(loop_searches, [&] { return proved_loops(workings, options, closest); });
-  });
-  seconds.slowest_loops = proved.slowest_seconds;
-  analysis.loops = std::move(proved.loops);
-  analysis.least_handle_length = proved.least_handle_length;
-  analysis.least_tunnel_length = proved.least_tunnel_length;
+  prove_loops(clock, closest, loop_searches, options, workings);
   return workings;
 }
 

@@ -21,7 +21,7 @@ namespace {
 constexpr float unknown = -1.0F;
 constexpr float infinite = std::numeric_limits<float>::infinity();
 constexpr double exact_radius = 5.0;  // voxels
-constexpr double level_radius = 8.0;  // blocks of the level
+constexpr double tier_radius = 8.0;   // blocks of the tier
 
 /// Which vertices of M are closest to the ends of K's edges that are grid edges or halves of them.
 struct Ends {
@@ -177,13 +177,13 @@ std::vector<OpenPair> open_pairs(const VertexPairs& pairs, const std::vector<flo
   return open;
 }
 
-/// Lengths between clusters for the open pairs; none comes out below `least`, which the level
+/// Lengths between clusters for the open pairs; none comes out below `least`, which the tier
 /// before has searched in vain, nor below the straight line. Returns those that stay open.
-std::vector<OpenPair> search_level(const Surface& surface, const ClusterLevel& level, double least,
-                                   double block, std::vector<OpenPair> open,
-                                   std::vector<float>& lengths) {
-  const auto& cluster = level.cluster_of_vertex;
-  PairCollector collector(static_cast<std::uint32_t>(level.centers.size()));
+std::vector<OpenPair> search_tier(const Surface& surface, const ClusterTier& tier, double least,
+                                  double block, std::vector<OpenPair> open,
+                                  std::vector<float>& lengths) {
+  const auto& cluster = tier.cluster_of_vertex;
+  PairCollector collector(static_cast<std::uint32_t>(tier.centers.size()));
   const auto set_length = [&](const OpenPair& pair, float found) {
     const double line = distance(scaled_point(surface, pair.a), scaled_point(surface, pair.b));
     lengths[pair.position] = std::max(found, static_cast<float>(std::max(least, line)));
@@ -198,7 +198,7 @@ std::vector<OpenPair> search_level(const Surface& surface, const ClusterLevel& l
   for (const OpenPair& pair : open) collector.add(cluster[pair.a], cluster[pair.b]);
   const VertexPairs between = collector.take();
   std::vector<float> distances(between.partner.size(), unknown);
-  search_pairs(level.neighbors, level.centers, between, level_radius * block, block / 2, distances);
+  search_pairs(tier.neighbors, tier.centers, between, tier_radius * block, block / 2, distances);
   std::erase_if(open, [&](const OpenPair& pair) {
     const float found = distances[between.find(cluster[pair.a], cluster[pair.b])];
     if (found == unknown) return false;
@@ -210,33 +210,33 @@ std::vector<OpenPair> search_level(const Surface& surface, const ClusterLevel& l
 
 /// Blocks of the last are larger than any volume, whose sides are at most 2^20 times 10^36 (the
 /// largest spacing over the least) voxels.
-constexpr int most_levels = 150;
+constexpr int most_tiers = 150;
 
 std::vector<float> pair_lengths(const Surface& surface, const VertexPairs& pairs,
                                 GeodesicMode mode) {
   std::vector<float> lengths(pairs.partner.size(), unknown);
-  ClusterLevel level = finest_level(surface);
+  ClusterTier tier = finest_tier(surface);
   const double voxel = block_side(surface.spacing);
   if (mode == GeodesicMode::exact) {
     // Tall voxels have edges far longer than wide ones.
     const auto& edges = surface.graph.lengths;
     const float longest = edges.empty() ? 0.0F : *std::max_element(edges.begin(), edges.end());
     const double bucket = std::max(voxel / 2, longest / 32.0);
-    search_pairs(surface.graph, level.centers, pairs, infinite, bucket, lengths);
+    search_pairs(surface.graph, tier.centers, pairs, infinite, bucket, lengths);
     return lengths;
   }
   double searched = exact_radius * voxel;
-  search_pairs(surface.graph, level.centers, pairs, searched, voxel / 2, lengths);
-  int levels = 0;
+  search_pairs(surface.graph, tier.centers, pairs, searched, voxel / 2, lengths);
+  int tiers = 0;
   std::vector<OpenPair> open = open_pairs(pairs, lengths);
   const EdgeGraph* neighbors = &surface.graph;
   for (double block = 2 * voxel; !open.empty(); block *= 2) {
-    if (++levels > most_levels)
+    if (++tiers > most_tiers)
       throw SelfCheckFailed("sizes are still unknown where clusters are as large as the volume");
-    level = coarser_level(level, *neighbors);
-    neighbors = &level.neighbors;
-    open = search_level(surface, level, searched, block, std::move(open), lengths);
-    searched = level_radius * block;
+    tier = coarser_tier(tier, *neighbors);
+    neighbors = &tier.neighbors;
+    open = search_tier(surface, tier, searched, block, std::move(open), lengths);
+    searched = tier_radius * block;
   }
   return lengths;
 }

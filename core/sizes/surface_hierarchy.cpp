@@ -30,11 +30,11 @@ EdgeGraph graph_of(const CompressedRows& targets, const std::vector<Vec3>& cente
 }
 
 /// Joins neighbours whose blocks are equal once halved; numbers the results by their least member.
-std::vector<std::uint32_t> parents(const ClusterLevel& level, const EdgeGraph& neighbors,
+std::vector<std::uint32_t> parents(const ClusterTier& tier, const EdgeGraph& neighbors,
                                    std::uint32_t& count) {
-  const auto clusters = static_cast<std::uint32_t>(level.centers.size());
+  const auto clusters = static_cast<std::uint32_t>(tier.centers.size());
   const auto halved = [&](std::uint32_t c) {
-    const auto& b = level.blocks[c];
+    const auto& b = tier.blocks[c];
     return std::array<std::int32_t, 3>{b[0] >> 1, b[1] >> 1, b[2] >> 1};
   };
   DisjointSets sets(clusters);
@@ -73,48 +73,48 @@ double block_side(const Vec3& spacing) {
   return std::min(std::cbrt(spacing[0] * spacing[1] * spacing[2]), most_of_least * least);
 }
 
-ClusterLevel finest_level(const Surface& surface) {
+ClusterTier finest_tier(const Surface& surface) {
   constexpr double most_blocks = 1024.0;  // a voxel: block numbers fit 32 bits
   const double side = block_side(surface.spacing);
   Vec3 blocks_per_voxel{};
   for (std::size_t a = 0; a < 3; ++a)
     blocks_per_voxel[a] = std::min(surface.spacing[a] / side, most_blocks);
   const auto count = static_cast<std::uint32_t>(surface.points.size());
-  ClusterLevel level;
-  level.cluster_of_vertex.resize(count);
-  level.centers.resize(count);
-  level.sizes.assign(count, 1);
-  level.blocks.resize(count);
+  ClusterTier tier;
+  tier.cluster_of_vertex.resize(count);
+  tier.centers.resize(count);
+  tier.sizes.assign(count, 1);
+  tier.blocks.resize(count);
   tbb::parallel_for(std::uint32_t{0}, count, [&](std::uint32_t v) {
-    level.cluster_of_vertex[v] = v;
-    level.centers[v] = scaled_point(surface, v);
+    tier.cluster_of_vertex[v] = v;
+    tier.centers[v] = scaled_point(surface, v);
     for (int a = 0; a < 3; ++a)
-      level.blocks[v][a] =
+      tier.blocks[v][a] =
           static_cast<std::int32_t>(std::floor(surface.points[v][a] * blocks_per_voxel[a]));
   });
-  return level;
+  return tier;
 }
 
-ClusterLevel coarser_level(const ClusterLevel& level, const EdgeGraph& neighbors) {
+ClusterTier coarser_tier(const ClusterTier& tier, const EdgeGraph& neighbors) {
   std::uint32_t count = 0;
-  const std::vector<std::uint32_t> parent = parents(level, neighbors, count);
-  ClusterLevel coarse;
+  const std::vector<std::uint32_t> parent = parents(tier, neighbors, count);
+  ClusterTier coarse;
   coarse.centers.resize(count);
   coarse.sizes.resize(count);
   coarse.blocks.resize(count);
   for (std::size_t c = 0; c < parent.size(); ++c) {
     const std::uint32_t p = parent[c];
-    coarse.sizes[p] += level.sizes[c];
+    coarse.sizes[p] += tier.sizes[c];
     for (int a = 0; a < 3; ++a) {
-      coarse.centers[p][a] += level.centers[c][a] * level.sizes[c];
-      coarse.blocks[p][a] = level.blocks[c][a] >> 1;
+      coarse.centers[p][a] += tier.centers[c][a] * tier.sizes[c];
+      coarse.blocks[p][a] = tier.blocks[c][a] >> 1;
     }
   }
   for (std::uint32_t p = 0; p < count; ++p)
     for (double& x : coarse.centers[p]) x /= coarse.sizes[p];
-  coarse.cluster_of_vertex.resize(level.cluster_of_vertex.size());
+  coarse.cluster_of_vertex.resize(tier.cluster_of_vertex.size());
   tbb::parallel_for(std::size_t{0}, coarse.cluster_of_vertex.size(), [&](std::size_t v) {
-    coarse.cluster_of_vertex[v] = parent[level.cluster_of_vertex[v]];
+    coarse.cluster_of_vertex[v] = parent[tier.cluster_of_vertex[v]];
   });
   coarse.neighbors = graph_of(neighbors_of(neighbors, parent, count), coarse.centers);
   return coarse;

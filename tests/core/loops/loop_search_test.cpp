@@ -92,7 +92,7 @@ TEST(LoopSearch, TellsHowFarItCame) {
   search.shortest(0, {longest});
   std::vector<Goal> goals;
   for (std::uint32_t v = 1; v < surface.points.size(); ++v) goals.push_back({v});
-  BoundedSearch(surface.graph, finest_level(surface).centers, longest / 2, 0.5).run(0, goals);
+  BoundedSearch(surface.graph, finest_tier(surface).centers, longest / 2, 0.5).run(0, goals);
   std::size_t reached = 1;
   for (const Goal& goal : goals) {
     if (goal.length == std::numeric_limits<float>::infinity()) continue;

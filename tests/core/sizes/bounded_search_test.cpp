@@ -28,7 +28,7 @@ TEST(BoundedSearch, FindsToTheBitWhatBoostFindsWithinTheRadius) {
   const testing::Prepared prepared(testing::smooth_noise({14, 14, 14}, 7, 2),
                                    GeodesicMode::hierarchy);
   const EdgeGraph& graph = prepared.surface.graph;
-  const std::vector<Vec3> points = finest_level(prepared.surface).centers;
+  const std::vector<Vec3> points = finest_tier(prepared.surface).centers;
   std::size_t found = 0;
   for (const double bucket : {0.02, 0.5, 30.0})
     for (std::uint32_t turn = 0; turn < 20; ++turn) {
@@ -52,7 +52,7 @@ TEST(BoundedSearch, FindsToTheBitWhatBoostFindsWithinTheRadius) {
 TEST(BoundedSearch, ForgetsTheSearchBefore) {
   const testing::Prepared prepared(testing::torus({16, 16, 16}), GeodesicMode::hierarchy);
   const EdgeGraph& graph = prepared.surface.graph;
-  const std::vector<Vec3> points = finest_level(prepared.surface).centers;
+  const std::vector<Vec3> points = finest_tier(prepared.surface).centers;
   BoundedSearch search(graph, points, 5.0, 0.5);
   for (std::uint32_t source = 0; source < graph.vertex_count(); source += 31) {
     std::vector<Goal> goals = some_goals(graph.vertex_count(), 13, source);

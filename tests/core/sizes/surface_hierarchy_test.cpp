@@ -17,11 +17,11 @@ namespace {
 TEST(SurfaceHierarchy, ClustersAreTheConnectedPartsOfBlocks) {
   const testing::Prepared p(testing::smooth_noise({18, 17, 16}, 3, 1), GeodesicMode::hierarchy);
   const Surface& surface = p.surface;
-  ClusterLevel level = finest_level(surface);
+  ClusterTier tier = finest_tier(surface);
   const EdgeGraph* neighbors = &surface.graph;
   for (int k = 1; k <= 3; ++k) {
-    level = coarser_level(level, *neighbors);
-    neighbors = &level.neighbors;
+    tier = coarser_tier(tier, *neighbors);
+    neighbors = &tier.neighbors;
     const auto block = [&](std::uint32_t v) {
       std::array<std::int64_t, 3> b{};
       for (int a = 0; a < 3; ++a)
@@ -37,31 +37,31 @@ TEST(SurfaceHierarchy, ClustersAreTheConnectedPartsOfBlocks) {
     std::set<std::uint32_t> clusters;
     for (std::uint32_t v = 0; v < surface.graph.vertex_count(); ++v) {
       const auto [at, is_new] =
-          cluster_of_part.try_emplace(parts.find(v), level.cluster_of_vertex[v]);
-      ASSERT_EQ(at->second, level.cluster_of_vertex[v]);
+          cluster_of_part.try_emplace(parts.find(v), tier.cluster_of_vertex[v]);
+      ASSERT_EQ(at->second, tier.cluster_of_vertex[v]);
       EXPECT_EQ(clusters.insert(at->second).second, is_new) << "one cluster for two parts";
     }
-    EXPECT_EQ(clusters.size(), level.centers.size());
+    EXPECT_EQ(clusters.size(), tier.centers.size());
   }
 }
 
 TEST(SurfaceHierarchy, ClustersAreNeighboursWhereAnEdgeOfTheSurfaceJoinsThem) {
   const testing::Prepared p(testing::torus({16, 16, 16}), GeodesicMode::hierarchy);
-  const ClusterLevel finer = coarser_level(finest_level(p.surface), p.surface.graph);
-  const ClusterLevel level = coarser_level(finer, finer.neighbors);
+  const ClusterTier finer = coarser_tier(finest_tier(p.surface), p.surface.graph);
+  const ClusterTier tier = coarser_tier(finer, finer.neighbors);
   std::set<std::pair<std::uint32_t, std::uint32_t>> expected;
   for (std::uint32_t u = 0; u < p.surface.graph.vertex_count(); ++u)
     p.surface.graph.for_each_out_edge(u, [&](std::uint32_t v, std::uint32_t) {
-      const std::uint32_t a = level.cluster_of_vertex[u];
-      const std::uint32_t b = level.cluster_of_vertex[v];
+      const std::uint32_t a = tier.cluster_of_vertex[u];
+      const std::uint32_t b = tier.cluster_of_vertex[v];
       if (a != b) expected.emplace(a, b);
     });
   std::set<std::pair<std::uint32_t, std::uint32_t>> found;
-  for (std::uint32_t a = 0; a < level.centers.size(); ++a)
-    level.neighbors.for_each_out_edge(a, [&](std::uint32_t b, std::uint32_t edge) {
+  for (std::uint32_t a = 0; a < tier.centers.size(); ++a)
+    tier.neighbors.for_each_out_edge(a, [&](std::uint32_t b, std::uint32_t edge) {
       found.emplace(a, b);
-      EXPECT_FLOAT_EQ(level.neighbors.lengths[edge],
-                      static_cast<float>(distance(level.centers[a], level.centers[b])));
+      EXPECT_FLOAT_EQ(tier.neighbors.lengths[edge],
+                      static_cast<float>(distance(tier.centers[a], tier.centers[b])));
     });
   EXPECT_EQ(found, expected);
 }
