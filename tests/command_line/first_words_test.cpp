@@ -154,6 +154,16 @@ TEST_F(FirstWords, OnATerminalTheLargestThirtyLoopsAreShown) {
             std::string::npos);
 }
 
+TEST_F(FirstWords, NoHelpListsAFlagThatItsCommandRefuses) {
+  const auto lists = [&](const char* command, const char* flag) {
+    return run({command, "--help-all"}).out.find(flag) != std::string::npos;
+  };
+  EXPECT_TRUE(lists("count", "--label") && lists("count", "--crop") &&
+              lists("count", "--open-boundary"));
+  EXPECT_FALSE(lists("scan", "--label"));
+  EXPECT_FALSE(lists("repair", "--crop") || lists("repair", "--open-boundary"));
+}
+
 TEST_F(FirstWords, ThreeSpacingsMayHaveAUnit) {
   for (const Words& spacing : {Words{"0.5", "0.25", "2mm"}, Words{"0.5mm", "0.25mm", "2mm"},
                                Words{"0.5mm", "0.25", "2"}, Words{"0.5 0.25 2mm"}}) {

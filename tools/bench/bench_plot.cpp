@@ -141,7 +141,7 @@ void write_linear(std::ostream& out, const Axes& axes, const Point& from) {
 
 void write_series(std::ostream& out, const Axes& axes, const Series& series,
                   std::size_t number_of) {
-  const std::string color = "c" + std::to_string(number_of % color_count);
+  const std::string color = std::string("c").append(std::to_string(number_of % color_count));
   out << "<path class=\"curve " << color << "\" d=\"";
   for (std::size_t i = 0; i < series.points.size(); ++i)
     out << (i == 0 ? 'M' : 'L') << place(axes, series.points[i]);

@@ -55,10 +55,13 @@ class BenchProgress {
   void start(const BenchCase& one, int threads, int run) {
     if (!progress_) return;
     std::string text = one.volume;
-    if (one.size > 0) text += " " + std::to_string(one.size);
-    text += " on " + counted(threads, "thread", "threads");
+    if (one.size > 0) text.append(" ").append(std::to_string(one.size));
+    text.append(" on ").append(counted(threads, "thread", "threads"));
     if (plan_.repeat > 1)
-      text += ", run " + std::to_string(run + 1) + " of " + std::to_string(plan_.repeat);
+      text.append(", run ")
+          .append(std::to_string(run + 1))
+          .append(" of ")
+          .append(std::to_string(plan_.repeat));
     progress_(text.c_str(), done_ / whole_);
     done_ += weight(one);
   }

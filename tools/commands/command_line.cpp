@@ -35,11 +35,7 @@ std::vector<std::string> names_of(const CLI::App& app, bool hidden_ones) {
   return names;
 }
 
-void parse_and_run(const std::vector<std::string>& given) {
-  const std::vector<std::string> typed = with_slicer_command(given);
-  CLI::App app(
-      "isoloop finds, proves and measures the handle loops and tunnel loops of an "
-      "iso-surface in a volume.");
+void describe(CLI::App& app) {
   app.name("isoloop");
   app.require_subcommand(1);
   app.set_help_all_flag("--help-all", "print this help with the flags that few need");
@@ -58,6 +54,9 @@ void parse_and_run(const std::vector<std::string>& given) {
       "isoloop FILE says what a file holds, counts, and what to type next.\n"
       "isoloop COMMAND -h explains a command.\n"
       "Exit codes: 0 done, 2 usage, 3 unreadable input, 4 over a limit, 5 self-check failed.");
+}
+
+void add_commands(CLI::App& app, const std::vector<std::string>& typed) {
   add_info_command(app);
   add_count_command(app);
   add_loops_command(app);
@@ -70,6 +69,10 @@ void parse_and_run(const std::vector<std::string>& given) {
   add_bench_command(app);
   add_measure_command(app);
   add_overview_command(app, typed);
+}
+
+/// The typed words as CLI11 takes them, checked as far as their names go.
+std::vector<std::string> checked_words(CLI::App& app, const std::vector<std::string>& typed) {
   const std::vector<std::string> names = names_of(app, true);
   std::vector<std::string> arguments = understood(typed, names);
   check_command(arguments, names, names_of(app, false));
@@ -77,12 +80,20 @@ void parse_and_run(const std::vector<std::string>& given) {
     return std::find(arguments.begin(), arguments.end(), word) != arguments.end();
   };
   if (has("-h") || has("--help") || has("--help-all")) group_rare_flags(app, has("--help-all"));
-  if (!arguments[0].starts_with('-') && arguments.back() == "--help-all")
-    arguments.back() = "--help";
-  if (!arguments[0].starts_with('-'))
-    check_flags_are_known(arguments, *app.get_subcommand(arguments[0]));
+  if (arguments[0].starts_with('-')) return arguments;
+  if (arguments.back() == "--help-all") arguments.back() = "--help";
+  check_flags_are_known(arguments, *app.get_subcommand(arguments[0]));
+  return arguments;
+}
 
-  std::vector<std::string> reversed = tie_numbers_to_flags(arguments);
+void parse_and_run(const std::vector<std::string>& given) {
+  const std::vector<std::string> typed = with_slicer_command(given);
+  CLI::App app(
+      "isoloop finds, proves and measures the handle loops and tunnel loops of an "
+      "iso-surface in a volume.");
+  describe(app);
+  add_commands(app, typed);
+  std::vector<std::string> reversed = tie_numbers_to_flags(checked_words(app, typed));
   std::reverse(reversed.begin(), reversed.end());  // as CLI11 wants them
   try {
     app.parse(reversed);

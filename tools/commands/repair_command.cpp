@@ -183,6 +183,8 @@ void add_repair_command(CLI::App& app) {
   auto flags = std::make_shared<CommandFlags>();
   add_level_flags(command, flags->level);
   add_volume_flags(command, flags->volume);
+  // Understood, and refused with a word on why.
+  for (const char* flag : {"--crop", "--open-boundary"}) command.get_option(flag)->group("");
   add_repair_flags(command, flags->repair);
   want_file_name(command
                      .add_option("-o,--output", flags->output,

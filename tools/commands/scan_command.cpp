@@ -74,6 +74,7 @@ void add_scan_command(CLI::App& app) {
   auto flags = std::make_shared<ScanFlags>();
   add_convention_flags(command, flags->level);
   add_volume_flags(command, flags->volume);
+  command.get_option("--label")->group("");  // understood, and refused with a word on what to do
   want_whole_number(
       command
           .add_option(

@@ -148,7 +148,7 @@ void group_rare_flags(CLI::App& app, bool all) {
     bool has_rare = false;
     for (const char* flag : rare) {
       CLI::Option* const option = command->get_option_no_throw(flag);
-      if (option == nullptr) continue;
+      if (option == nullptr || option->get_group().empty()) continue;  // hidden: refused there
       option->group(all ? "Flags that few need" : "");
       has_rare = true;
     }
