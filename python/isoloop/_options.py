@@ -94,9 +94,9 @@ def input_of(
     return _core.input_of_labels(made, labels_of(label))
 
 
-def labels_of(label: Labels) -> list[int]:
+def labels_of(label: Union[int, Sequence[int]]) -> list[int]:
     """The labels, one or several."""
-    return [int(one) for one in numpy.atleast_1d(label)]  # type: ignore[call-overload]
+    return [int(one) for one in numpy.atleast_1d(label)]
 
 
 def tell_warnings(run: _core.Run, volume: Any) -> None:
