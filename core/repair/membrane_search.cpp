@@ -138,8 +138,8 @@ bool MembraneFinder<C>::Search::explore_rest() {
       node_of(meeting.vertex, true);
       front.push_back(meeting.vertex);
     }
-  const std::vector<std::uint32_t> start = front;
   std::vector<std::uint32_t> next;
+  std::vector<std::uint32_t> going_on;  // vertices that led to those of the front
   std::vector<std::uint32_t> roots;
   // Of each part: its root, and whether it meets N from either side.
   const auto sides_met = [&] {
@@ -159,11 +159,16 @@ bool MembraneFinder<C>::Search::explore_rest() {
   const std::size_t most = far_enough + times_near * near.size();
   while (!front.empty()) {
     next.clear();
-    for (const std::uint32_t vertex : front)
+    going_on.clear();
+    for (const std::uint32_t vertex : front) {
+      const std::size_t before = next.size();
       if (!expand(vertex, next)) return false;
+      if (next.size() > before) going_on.push_back(vertex);
+    }
     std::swap(front, next);
+    // A vertex of the front is not joined to the cell that led to it before it is expanded.
     roots.clear();
-    for (const std::uint32_t vertex : front)
+    for (const std::uint32_t vertex : going_on)
       roots.push_back(parity_sets.find(finder.node_of_vertex_[vertex]).root);
     std::sort(roots.begin(), roots.end());
     roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
