@@ -20,14 +20,11 @@ from ._errors import (
     UsageError,
 )
 from ._changes import repair, write
+from ._loops import Feature, Loop, Loops, Page
 from ._repair import KeptLoop, Removal, Repair
 from ._results import (
     Betti,
     Counts,
-    Feature,
-    Loop,
-    Loops,
-    Page,
     Plateau,
     Scan,
     Surface,

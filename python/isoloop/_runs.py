@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from . import _arrays, _core
 from ._arrays import Spacing
 from ._errors import UsageError
+from ._loops import Loops, Page
 from ._options import (
     AnyVolume,
     Iso,
@@ -23,7 +24,7 @@ from ._options import (
     tell_warnings,
     want,
 )
-from ._results import Loops, Page, Scan, SurfaceCounts
+from ._results import Scan, SurfaceCounts
 from ._volume import Path, Progress
 
 

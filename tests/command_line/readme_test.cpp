@@ -131,7 +131,7 @@ TEST(Manual, ExplainsEveryFlagAndNoOther) {
   const ScratchDirectory scratch;
   std::string help;
   for (const char* command :
-       {"info", "count", "scan", "loops", "view", "repair", "generate", "demo", "bench"})
+       {"info", "count", "scan", "loops", "view", "repair", "convert", "generate", "demo", "bench"})
     help += run_isoloop(scratch.path(), {command, "--help-all"}).out;
   help += run_isoloop(scratch.path(), {"-h"}).out;
   std::set<std::string> known = flags_in(help);
