@@ -197,6 +197,10 @@ TEST_F(RepairCommand, KeepsTheOtherLabelsOfALabelMap) {
     const Json other = Json::parse(run({"count", out, "--label", "5", "--json", "-"}).out);
     EXPECT_EQ(other["betti"]["b0"], 1) << out;
   }
+  const ProcessResult absent = run({"repair", "labels_5x5x3_int8.raw", "--label", "300,7",
+                                    "--fill-tunnels", "100", "-o", "absent_5x5x3_int8.raw"});
+  ASSERT_EQ(absent.exit_code, 0) << absent.err;
+  EXPECT_EQ(scratch_.read("absent_5x5x3_int8.raw"), filled) << "300 does not even fit";
   labels[hole] = '\3';
   scratch_.write("labels_5x5x3_int8.raw", labels);
   const ProcessResult over = run({"repair", "labels_5x5x3_int8.raw", "--label", "7",

@@ -1,5 +1,6 @@
 #include "tools/runs/repair_run.h"
 
+#include <algorithm>
 #include <utility>
 #include <variant>
 
@@ -30,11 +31,16 @@ LabelChanges changes_of_labels(const Repair& repair, const AnyGridView& labels,
   if (repair.shifted_voxels > 0)
     throw SelfCheckFailed("a repair of labels shifts voxels on the side that they are on");
   std::vector<SidedVoxel> sided;
+  sided.reserve(repair.changes.size());
   for (const VoxelChange& change : repair.changes)
     sided.push_back({.voxel = change.voxel, .is_inside = change.after > change.before});
   const std::vector<std::int64_t> after = labels_of_sided(labels, sided, asked);
   LabelChanges result;
+  result.changes.reserve(sided.size());
   for (std::size_t i = 0; i < sided.size(); ++i) {
+    const bool is_asked = std::find(asked.begin(), asked.end(), after[i]) != asked.end();
+    if (is_asked != sided[i].is_inside)
+      throw SelfCheckFailed("a label is on another side than the repaired mask");
     const double before = std::visit(
         [&](const auto& grid) { return static_cast<double>(grid.values[sided[i].voxel]); }, labels);
     result.changes.push_back({sided[i].voxel, before, static_cast<double>(after[i])});

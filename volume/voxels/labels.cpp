@@ -137,15 +137,42 @@ void report(const Census& census, const std::vector<std::int64_t>& labels, const
   }
 }
 
+/// Votes of the voxels round one that changes sides.
 template <class T>
-class LabelsRound {
+class LabelVotes {
  public:
-  LabelsRound(const GridView<T>& labels, const std::vector<std::int64_t>& asked)
-      : labels_(labels), asked_(asked.begin(), asked.end()), first_asked_(asked.front()) {
-    while (asked_.contains(first_other_)) ++first_other_;
+  LabelVotes(const GridView<T>& labels, std::span<const SidedVoxel> voxels,
+             const std::vector<std::int64_t>& asked)
+      : labels_(labels), asked_(asked.begin(), asked.end()) {
+    for (const SidedVoxel& sided : voxels) changed_.emplace(sided.voxel, Changed{sided.is_inside});
   }
 
-  std::int64_t label_of_sided(const SidedVoxel& sided) const {
+  /// From the rim inwards: voxels that have got a label vote in the next round.
+  std::vector<std::int64_t> decided(std::span<const SidedVoxel> voxels) {
+    for (bool goes_on = true; goes_on;) {
+      std::vector<std::pair<std::size_t, std::int64_t>> found;
+      for (const SidedVoxel& sided : voxels)
+        if (!changed_.at(sided.voxel).label)
+          if (const std::optional<std::int64_t> label = vote(sided))
+            found.emplace_back(sided.voxel, *label);
+      for (const auto& [voxel, label] : found) changed_.at(voxel).label = label;
+      goes_on = !found.empty();
+    }
+    std::vector<std::int64_t> result;
+    result.reserve(voxels.size());
+    for (const SidedVoxel& sided : voxels)
+      result.push_back(
+          changed_.at(sided.voxel).label.value_or(sided.is_inside ? any_asked() : any_other()));
+    return result;
+  }
+
+ private:
+  struct Changed {
+    bool is_inside = false;
+    std::optional<std::int64_t> label{};
+  };
+
+  std::optional<std::int64_t> vote(const SidedVoxel& sided) const {
     std::map<std::int64_t, int> votes;
     const auto at = static_cast<std::int64_t>(sided.voxel);
     const Index3& dims = labels_.dims;
@@ -153,29 +180,51 @@ class LabelsRound {
     for (std::int64_t i = 0; i < 27; ++i) {
       const Index3 near{voxel[0] + i % 3 - 1, voxel[1] + i / 3 % 3 - 1, voxel[2] + i / 9 - 1};
       if (i == 13 || !is_within(near)) continue;
-      const std::size_t place =
-          static_cast<std::size_t>(near[0] + dims[0] * (near[1] + dims[1] * near[2]));
-      const std::optional<std::int64_t> label = label_of(labels_.values[place]);
-      if (label && asked_.contains(*label) == sided.is_inside) ++votes[*label];
+      const auto label =
+          label_on_side(static_cast<std::size_t>(near[0] + dims[0] * (near[1] + dims[1] * near[2])),
+                        sided.is_inside);
+      if (label) ++votes[*label];
     }
-    if (votes.empty()) return sided.is_inside ? first_asked_ : first_other_;
+    if (votes.empty()) return std::nullopt;
     // The first of the largest has the least label.
     return std::max_element(votes.begin(), votes.end(),
                             [](const auto& a, const auto& b) { return a.second < b.second; })
         ->first;
   }
 
- private:
+  /// That of a voxel on this side, unless it changes sides and has none yet.
+  std::optional<std::int64_t> label_on_side(std::size_t voxel, bool is_inside) const {
+    if (const auto changed = changed_.find(voxel); changed != changed_.end())
+      return changed->second.is_inside == is_inside ? changed->second.label : std::nullopt;
+    const std::optional<std::int64_t> label = label_of(labels_.values[voxel]);
+    return label && asked_.contains(*label) == is_inside ? label : std::nullopt;
+  }
+
   bool is_within(const Index3& voxel) const {
     for (std::size_t a = 0; a < 3; ++a)
       if (voxel[a] < 0 || voxel[a] >= labels_.dims[a]) return false;
     return true;
   }
 
+  /// The least of those asked for that a voxel has.
+  std::int64_t any_asked() const {
+    std::optional<std::int64_t> least;
+    for (const T value : labels_.values) {
+      const std::optional<std::int64_t> label = label_of(value);
+      if (label && asked_.contains(*label) && (!least || *label < *least)) least = label;
+    }
+    return least.value_or(*asked_.begin());
+  }
+
+  std::int64_t any_other() const {
+    std::int64_t label = 0;
+    while (asked_.contains(label)) ++label;
+    return label;
+  }
+
   const GridView<T>& labels_;
   std::set<std::int64_t> asked_;
-  std::int64_t first_asked_;
-  std::int64_t first_other_ = 0;
+  std::map<std::size_t, Changed> changed_;  // by voxel
 };
 
 }  // namespace
@@ -185,11 +234,7 @@ std::vector<std::int64_t> labels_of_sided(const AnyGridView& labels,
                                           const std::vector<std::int64_t>& asked) {
   return std::visit(
       [&]<class T>(const GridView<T>& grid) {
-        const LabelsRound<T> round(grid, asked);
-        std::vector<std::int64_t> result;
-        result.reserve(voxels.size());
-        for (const SidedVoxel& voxel : voxels) result.push_back(round.label_of_sided(voxel));
-        return result;
+        return LabelVotes<T>(grid, voxels, asked).decided(voxels);
       },
       labels);
 }

@@ -33,9 +33,10 @@ struct SidedVoxel {
   bool is_inside = false;
 };
 
-/// The labels that these voxels get: of the 26 voxels round it that were on that side before, the
-/// label that most have, of several the least; where none was, the first that is asked for, or
-/// outside the least from 0 on that is not.
+/// The labels that these voxels get: that which most of the 26 voxels round it on its side have, of
+/// several the least; voxels that have got theirs count for those farther from the rim. Where no
+/// voxel on that side is in reach, the least label of `asked` that occurs, or outside the least from
+/// 0 on that is not asked for.
 std::vector<std::int64_t> labels_of_sided(const AnyGridView& labels,
                                           std::span<const SidedVoxel> voxels,
                                           const std::vector<std::int64_t>& asked);

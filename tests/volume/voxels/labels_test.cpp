@@ -38,8 +38,19 @@ TEST(Labels, OfARepairedMaskAreThoseOfMostNeighboursOnTheNewSide) {
   EXPECT_EQ(after(3, true, {4, 7}), 7) << "its own label does not count";
   EXPECT_EQ(after(1, false, {3}), 0) << "two of 0 beside 4 and 7";
   EXPECT_EQ(after(0, false, {3}), 4) << "4 and 7 have one each: the least";
-  EXPECT_EQ(after(2, true, {9}), 9) << "no voxel round it is inside";
+  EXPECT_EQ(after(2, true, {4, 9}), 4) << "no voxel round it is inside: one that occurs";
   EXPECT_EQ(after(5, false, {0, 3, 7}), 1) << "nor outside: the least that is not asked for";
+}
+
+TEST(Labels, SpreadFromTheRimOfWhatIsFilled) {
+  // A row of 5, seven voxels of 0, then 9.
+  const Volume map{.values = std::vector<std::uint8_t>{5, 0, 0, 0, 0, 0, 0, 0, 9},
+                   .dims = {9, 1, 1}};
+  std::vector<SidedVoxel> filled;
+  for (std::size_t voxel = 1; voxel < 8; ++voxel) filled.push_back({voxel, true});
+  EXPECT_EQ(labels_of_sided(view(map), filled, {300, 5, 9}),
+            (std::vector<std::int64_t>{5, 5, 5, 5, 9, 9, 9}))
+      << "300, which no voxel has, is given to none";
 }
 
 TEST(Labels, AreTheWholeNumbersNearestToTheValues) {
