@@ -73,6 +73,7 @@ struct Volume {
   bool mask = false;                    // 0 is outside, 1 and above inside: iso defaults to 0.5
   std::string name{};                   // of the grid within the file; empty where files hold one
   std::optional<StoredAt> stored_at{};  // unset where the file holds the voxels in another way
+  std::filesystem::path data_file{};    // where the voxels lie apart from their header; else empty
   std::optional<VolumePart> part{};     // unset: all voxels of the file
   std::optional<MeshCounts> mesh{};     // of the mesh that was voxelised; unset: it was none
   std::vector<Finding> notes{};         // what was read how; a sentence each

@@ -32,6 +32,12 @@ bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
   return std::filesystem::equivalent(a, b, error) || absolute(a) == absolute(b);
 }
 
+bool is_in_folder(const std::filesystem::path& file, const std::filesystem::path& folder) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(folder, ignored) &&
+         same_file(std::filesystem::absolute(file).parent_path(), folder);
+}
+
 std::string clash(const std::string& flag, const std::string& name, const char* what) {
   std::string sentence = flag;
   sentence.append(" ").append(name).append(" would overwrite ").append(what);
@@ -54,14 +60,24 @@ void OutputFiles::add(const std::string& flag, const std::string& name, const Re
     if (!input_.empty() && same_file(name, input_)) {
       throw InvalidArgument(clash(flag, name, "the input"));
     }
+    if (std::filesystem::exists(name) && is_in_folder(name, input_)) {
+      throw InvalidArgument(clash(flag, name, "a file of the folder that is read"));
+    }
     check_writable(name);
   }
-  outputs_.push_back({name, report});
+  outputs_.push_back({flag, name, report});
 }
 
 void OutputFiles::reserve(const std::string& flag, const std::string& name) {
   if (is_stdout(name)) throw InvalidArgument(flag + " wants a file, not standard output");
   add(flag, name, {});
+}
+
+void OutputFiles::check_apart_from(const std::filesystem::path& data_file) const {
+  if (data_file.empty()) return;
+  for (const Output& output : outputs_)
+    if (!is_stdout(output.name) && same_file(output.name, data_file))
+      throw InvalidArgument(clash(output.flag, output.name, "the input's file of voxels"));
 }
 
 bool OutputFiles::uses_stdout() const {

@@ -21,12 +21,17 @@ class OutputFiles {
 
   /// Asks for `report` in the file `name`; on standard output for "-"; nowhere for "". `flag` opens
   /// the message of an error. Throws InvalidArgument where the name is a flag, or the file is the
-  /// input or has been asked for before, InvalidInput where it cannot be created.
+  /// input, a file in the input's folder, or has been asked for before, InvalidInput where it
+  /// cannot be created.
   void add(const std::string& flag, const std::string& name, const Report& report);
 
   /// Holds the file `name` for what is written otherwise: the same checks as add(). `name` must be
   /// that of a file.
   void reserve(const std::string& flag, const std::string& name);
+
+  /// Throws InvalidArgument if an output is this file, which was read beside the input; empty:
+  /// there was none.
+  void check_apart_from(const std::filesystem::path& data_file) const;
 
   /// True if a report goes to standard output.
   bool uses_stdout() const;
@@ -39,6 +44,7 @@ class OutputFiles {
   void write_all() const;
 
   struct Output {
+    std::string flag;
     std::string name;
     Report report;
   };

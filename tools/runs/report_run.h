@@ -29,6 +29,8 @@ void run_and_report(const ProgressFlags& flags, const OutputFiles& outputs, Resu
   const auto start = std::chrono::steady_clock::now();
   ProgressLine progress(flags.slicer ? std::cout : std::cerr, progress_options(flags));
   result = course.run(progress.callback());
+  if constexpr (std::derived_from<Result, RunInput>)
+    outputs.check_apart_from(result.volume.data_file);
   result.cost.peak_bytes = peak_resident_bytes();
   progress.clear();
   if (course.settle) course.settle(result);

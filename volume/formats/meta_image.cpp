@@ -214,6 +214,7 @@ Volume read_meta_image(const std::filesystem::path& path, const FormatOptions& o
   add_scale_note(layout, volume);
   const std::uint64_t frame = choose_frame(layout, options.frame, what);
   const bool local = lower_case(file) == "local";
+  if (!local) volume.data_file = beside(path, file);
   read_data(fields, local ? path : beside(path, file),
             local ? stored_bytes(path) - header.most_left() : 0, layout, frame, limits, volume);
   if (!is_ended) volume.warnings.push_back(unended_header_warning(what));

@@ -368,6 +368,7 @@ Volume read_nifti(const std::filesystem::path& path, const FormatOptions& option
     const std::uint64_t rest = stream.skip_rest("its header's extensions");
     if (rest > 0 && rest < 4) refuse(what, "its header ends early; fetch the file again");
     const std::filesystem::path image = partner(header_path, ".img");
+    volume.data_file = image_named ? header_path : image;  // the one that was not named
     ByteStream voxels(image, packing_of(image));
     voxels.skip(header.data_from, "what lies before its voxels");
     read_voxels(voxels, header.layout, frame, limits, image.string(), volume);

@@ -357,6 +357,7 @@ Volume read_nrrd(const std::filesystem::path& path, const FormatOptions& options
 
   const std::filesystem::path data = detached ? beside(path, fields.at("datafile")) : path;
   const std::uint64_t first = detached ? 0 : size - header.most_left();
+  if (detached) volume.data_file = data;
   read_data(fields, data, first, layout, frame, limits, volume);
   if (!is_ended) volume.warnings.push_back(unended_header_warning(what));
   return volume;
