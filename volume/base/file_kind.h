@@ -48,7 +48,7 @@ struct FileFormat {
   bool may_be_patched = false;    // single voxels can be replaced in a copy of the file
   Written written = Written::no;  // under the first extension alone, also packed if it may be
   WrittenFrame written_frame = WrittenFrame::none;
-  bool writes_unit = false;  // of lengths
+  bool writes_unit = false;  // of lengths, all or some
   std::uint32_t takes = 0;   // options that mean something: takes_option()
 };
 

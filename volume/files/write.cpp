@@ -1,5 +1,10 @@
 #include "volume/files/write.h"
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
 #include "core/base/errors.h"
 #include "volume/base/atomic_file.h"
 #include "volume/base/file_kind.h"
@@ -11,6 +16,7 @@
 #include "volume/formats/raw.h"
 #include "volume/formats/vti.h"
 #include "volume/vdb/vdb.h"
+#include "volume/voxels/value_range.h"
 
 namespace isoloop {
 
@@ -49,41 +55,91 @@ void write_volume(std::ostream& out, const Volume& volume, const std::filesystem
   }
 }
 
-std::vector<Finding> left_out_of(const Volume& volume, const std::filesystem::path& path) {
-  std::vector<Finding> findings;
-  const FileFormat* const format = file_format(path);
-  if (format == nullptr) return findings;
-  const std::string name = "a " + extension_of(path) + " file";
-  const auto add = [&](const std::string& text) {
-    findings.push_back({.file = path.string(), .text = text});
-  };
-  if (volume.level_set && format->kind != FileKind::vdb)
-    add(name +
-        " does not say that the voxels are distances of a level set: read it with iso 0, "
-        "and what is below as inside");
-  if (format->written_frame == WrittenFrame::none) {
-    if (volume.frame != Frame::index || volume.spacing != Vec3{1.0, 1.0, 1.0}) {
-      add(name + " says nothing of where voxels lie: the spacing " +
-          words_of_numbers(volume.spacing) + " and the place are left out");
+namespace {
+
+/// What is found missing, one sentence each.
+class Losses {
+ public:
+  Losses(const Volume& volume, const std::filesystem::path& path, const FileFormat& format)
+      : volume_(volume), path_(path), format_(format), name_("a " + extension_of(path) + " file") {}
+
+  std::vector<Finding> all() && {
+    add_meaning();
+    if (format_.written_frame == WrittenFrame::none) {
+      if (volume_.frame != Frame::index || volume_.spacing != Vec3{1.0, 1.0, 1.0})
+        add(name_ + " says nothing of where voxels lie: the spacing " +
+            words_of_numbers(volume_.spacing) + " and the place are left out");
+    } else {
+      add_frame();
     }
-    return findings;
+    const bool is_nifti = format_.kind == FileKind::nifti;
+    if (is_nifti) add_rounding();
+    const bool has_unit = is_nifti ? nifti_has_unit(volume_.unit) : format_.writes_unit;
+    if (!has_unit && !volume_.unit.empty())
+      add(name_ + " cannot state that lengths are in " + volume_.unit + ": that is left out");
+    return std::move(findings_);
   }
-  const std::string stated = frame_name(volume.frame);
-  const bool is_medical = volume.frame == Frame::lps || volume.frame == Frame::ras;
-  if (format->written_frame == WrittenFrame::world && is_medical)
-    add(name + " does not say that its coordinates are " + stated);
-  const bool has_place =
-      volume.frame == Frame::world ||
-      (volume.frame == Frame::index && format->written_frame == WrittenFrame::lps);
-  if (has_place &&
-      (format->written_frame == WrittenFrame::ras || format->written_frame == WrittenFrame::lps)) {
-    add("coordinates in " + name + " are " +
-        (format->written_frame == WrittenFrame::ras ? "RAS" : "LPS") +
-        ", which the volume, of frame " + stated + ", does not say of its own");
+
+ private:
+  void add(const std::string& text) { findings_.push_back({.file = path_.string(), .text = text}); }
+
+  void add_meaning() {
+    const bool is_vdb = format_.kind == FileKind::vdb;
+    if (volume_.level_set && !is_vdb)
+      add(name_ +
+          " does not say that the voxels are distances of a level set: read it with iso 0, "
+          "and what is below as inside");
+    if (!volume_.level_set && is_vdb)
+      add("where " + name_ + " is read, a layer of its least value, " +
+          word_of_number(value_range(volume_).min) + ", lies round the voxels");
   }
-  if (!format->writes_unit && !volume.unit.empty())
-    add(name + " has no unit of lengths: that they are in " + volume.unit + " is left out");
-  return findings;
+
+  void add_frame() {
+    const std::string stated = frame_name(volume_.frame);
+    const bool is_medical = volume_.frame == Frame::lps || volume_.frame == Frame::ras;
+    const WrittenFrame written = format_.written_frame;
+    if (written == WrittenFrame::world && is_medical)
+      add(name_ + " does not say that its coordinates are " + stated);
+    // A place without a name gets one; NIfTI alone can leave the place out.
+    const bool is_named = (written == WrittenFrame::ras && volume_.frame == Frame::world) ||
+                          (written == WrittenFrame::lps && !is_medical);
+    if (is_named)
+      add("coordinates in " + name_ + " are " + (written == WrittenFrame::ras ? "RAS" : "LPS") +
+          ", which the volume, of frame " + stated + ", does not say of its own");
+  }
+
+  /// NIfTI has floats for the place.
+  void add_rounding() {
+    constexpr double most = 1e-3;  // of a voxel
+    double largest = 0.0;
+    for (std::size_t row = 0; row < 3; ++row) {
+      double rounded = std::abs(volume_.origin[row] - static_cast<float>(volume_.origin[row]));
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double step = volume_.direction[axis][row] * volume_.spacing[axis];
+        rounded +=
+            std::abs(step - static_cast<float>(step)) * static_cast<double>(volume_.dims[axis]);
+      }
+      largest = std::max(largest, rounded);
+    }
+    const double voxel = *std::min_element(volume_.spacing.begin(), volume_.spacing.end());
+    if (volume_.frame != Frame::index && largest > most * voxel)
+      add(name_ + " states the place in numbers of 32 bits, which moves voxels by up to " +
+          word_of_number(largest));
+  }
+
+  const Volume& volume_;
+  const std::filesystem::path& path_;
+  const FileFormat& format_;
+  std::string name_;
+  std::vector<Finding> findings_;
+};
+
+}  // namespace
+
+std::vector<Finding> left_out_of(const Volume& volume, const std::filesystem::path& path) {
+  const FileFormat* const format = file_format(path);
+  if (format == nullptr) return {};
+  return Losses(volume, path, *format).all();
 }
 
 }  // namespace isoloop

@@ -21,6 +21,9 @@ namespace isoloop {
 Volume read_nifti(const std::filesystem::path& path, const FormatOptions& options = {},
                   const VoxelLimits& limits = {});
 
+/// Whether the format can state this unit: m, mm and µm.
+bool nifti_has_unit(const std::string& unit);
+
 /// Writes NIfTI-1, little-endian, by gzip if `packed`: voxels in their stored type; the place as an
 /// sform, in RAS (LPS is turned); none of frame `index`, which states lengths alone. The unit goes
 /// where it is m, mm or µm. Throws InvalidArgument, naming `what`, if an axis has more than 32767

@@ -83,6 +83,8 @@ Fields header_of(const Volume& volume, const std::string& what) {
 
 }  // namespace
 
+bool nifti_has_unit(const std::string& unit) { return unit_code(unit) != 0; }
+
 void write_nifti(std::ostream& out, const Volume& volume, const std::string& what, bool packed) {
   const Fields header = header_of(volume, what);
   ByteSink sink(out, packed);

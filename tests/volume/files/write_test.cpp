@@ -142,7 +142,7 @@ TEST(WriteVolume, UnitsAreKeptWhereTheFormatHasThem) {
       EXPECT_EQ(read_volume(folder / name).unit, unit) << name;
     }
   }
-  EXPECT_TRUE(contains(left_out_of(volume, "a.vti").back().text, "in m is left out"));
+  EXPECT_TRUE(contains(left_out_of(volume, "a.vti").back().text, "lengths are in m"));
   volume.frame = Frame::index;
   write_volume(volume, folder / "index.nrrd");
   EXPECT_EQ(read_volume(folder / "index.nrrd").unit, "m");
