@@ -182,6 +182,9 @@ class Simplifier {
                           around_drop_.end(), std::back_inserter(common_));
     if (handles_ == HandleRule::keep && common_.size() != 2) return false;
     if (around_keep_.size() == 3 && around_drop_.size() == 3) return false;  // a tetrahedron
+    // Where handles may go, no component may.
+    if (handles_ == HandleRule::drop_small && (around_keep_.size() < 4 || around_drop_.size() < 4))
+      return false;
     return !turns_over(edge.keep, edge.drop, edge.place) &&
            !turns_over(edge.drop, edge.keep, edge.place);
   }

@@ -75,6 +75,10 @@ void sort_by_piece(DrawnSurface& drawn, const std::vector<std::uint32_t>& compon
 DrawnSurface drawn_surface(const LoopsRun& run, std::size_t most_triangles,
                            std::size_t most_pieces) {
   const Surface& surface = run.analysis.surface;
+  // Small pieces keep some eight triangles each, and the large ones are to have most of them.
+  constexpr std::size_t triangles_of_piece = 20;
+  most_pieces =
+      std::max<std::size_t>(1, std::min(most_pieces, most_triangles / triangles_of_piece));
   DrawnSurface drawn;
   drawn.pieces = pieces_of(run);
   if (drawn.pieces.size() > most_pieces) {

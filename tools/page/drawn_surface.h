@@ -28,8 +28,9 @@ struct DrawnSurface {
 
 inline constexpr auto not_drawn = static_cast<std::uint32_t>(-1);
 
-/// The `most_pieces` largest components, simplified to `most_triangles`. The topology is kept if
-/// that takes no more than twice as many; otherwise small handles go too. `most_pieces` is 1 at
+/// The `most_pieces` largest components, or one for every twenty of `most_triangles` if that is
+/// less, simplified to `most_triangles`. The topology is kept if that takes no more than twice as
+/// many; otherwise small handles go too. `most_pieces` is 1 at
 /// least.
 DrawnSurface drawn_surface(const LoopsRun& run, std::size_t most_triangles,
                            std::size_t most_pieces);
