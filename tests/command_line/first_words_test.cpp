@@ -114,10 +114,10 @@ TEST_F(FirstWords, ASummaryIsOneLineForScripts) {
             std::string::npos);
   EXPECT_EQ(run({"view", ring_, "--iso", "1", "--summary"}).out, loops);
   EXPECT_EQ(run({"scan", ring_, "--summary"}).out,
-            "iso=1 by=otsu large_b0=1 large_b1=1 large_b2=0 ignored_below=0\n");
+            "proposed_iso=1 proposed_by=otsu large_b0=1 large_b1=1 large_b2=0 ignored_below=0\n");
   const ProcessResult repaired =
       run({"repair", ring_, "--iso", "1", "--fill-tunnels", "99", "--dry-run", "--summary"});
-  EXPECT_EQ(repaired.out.find("iso=1 b0=1 b1=0 b2=0 euler=2 genus=0 removed=1 kept=0 "), 0U)
+  EXPECT_EQ(repaired.out.find("iso=1 b0=1 b1=0 b2=0 euler=2 genus=0 removals=1 kept=0 "), 0U)
       << repaired.out;
   expect_failure({"count", ring_, "--iso", "1", "--summary", "--json", "-"}, 2,
                  "--summary goes to");

@@ -27,7 +27,7 @@ struct ConvertFlags {
 };
 
 RunInput converted_run(const ConvertFlags& flags) {
-  RunInput run = read_input(flags.volume);
+  RunInput run = read_input(flags.volume, VdbMargin::none);
   check_written("OUT", flags.output, run.volume);
   check_writer_memory("write", flags.output, run);
   warn_of_left_out(run, flags.output);
@@ -48,8 +48,7 @@ void convert(const ConvertFlags& flags) {
                            {.run = [&](const Progress&) { return converted_run(flags); },
                             .table =
                                 [&](std::ostream& out, const RunInput& read) {
-                                  out << flags.output << ": " << volume_text(read.volume) << ", "
-                                      << frame_comment(read) << '\n';
+                                  out << flags.output << ": " << volume_text(read.volume) << '\n';
                                 }});
 }
 

@@ -29,6 +29,7 @@
 #include "tools/runs/mesh_comparison.h"
 #include "tools/runs/output_files.h"
 #include "tools/runs/report_run.h"
+#include "tools/runs/written_volume.h"
 #include "tools/words/flag_checks.h"
 #include "volume/base/file_kind.h"
 #include "volume/files/write.h"
@@ -122,25 +123,30 @@ void find(const LoopsFlags& flags) {
   LeftOut left_out;
   const OutputFiles outputs = outputs_of(flags, run, left_out);
   check_table_flags(flags.table, outputs.uses_stdout());
-  run_and_report<LoopsRun>(
-      flags.progress, outputs, run,
-      {.run =
-           [&](const Progress& progress) {
-             LoopsRun found = find_run(input, progress);
-             found.with_features = reports_features(flags);
-             return found;
-           },
-       .settle = [](LoopsRun& found) { compare_with_mesh(found, found.analysis); },
-       .table =
-           [&](std::ostream& out, const LoopsRun& found) {
-             if (flags.table.summary) return write_loops_summary(out, found);
-             const std::size_t rows = most_rows(flags.table);
-             write_table(out, found, rows);
-             if (found.with_features) write_features(out, found, rows);
-             const std::string lacks = left_out_text(left_out);
-             if (!lacks.empty()) out << "page: " << flags.html << lacks << '\n';
-             if (input.engine.stats) write_stats(out << '\n', found);
-           }});
+  run_and_report<LoopsRun>(flags.progress, outputs, run,
+                           {.run =
+                                [&](const Progress& progress) {
+                                  LoopsRun found = find_run(input, progress);
+                                  found.with_features = reports_features(flags);
+                                  return found;
+                                },
+                            .settle =
+                                [&](LoopsRun& found) {
+                                  compare_with_mesh(found, found.analysis);
+                                  for (const std::string& name : flags.labels)
+                                    warn_of_left_out(found, name);
+                                },
+                            .table =
+                                [&](std::ostream& out, const LoopsRun& found) {
+                                  if (flags.table.summary) return write_loops_summary(out, found);
+                                  const std::size_t rows = most_rows(flags.table);
+                                  write_table(out, found, rows);
+                                  if (found.with_features) write_features(out, found, rows);
+                                  const std::string lacks = left_out_text(left_out);
+                                  if (!lacks.empty())
+                                    out << "page: " << flags.html << lacks << '\n';
+                                  if (input.engine.stats) write_stats(out << '\n', found);
+                                }});
   if (input.engine.stats && outputs.uses_stdout()) write_stats(std::cerr, run);
 }
 

@@ -14,6 +14,7 @@
 #include <CLI/CLI.hpp>
 
 #include "core/base/errors.h"
+#include "core/base/stage.h"
 #include "core/base/threads.h"
 #include "tools/flags/flag_lists.h"
 #include "tools/flags/repair_flags.h"
@@ -57,6 +58,16 @@ bool is_patched(const CommandFlags& flags, const Volume& volume) {
          std::filesystem::equivalent(volume.stored_at->file, flags.volume.file);
 }
 
+bool has_least_value_inside(const Volume& volume, const CommandFlags& flags,
+                            const IsoLevel& level) {
+  if (volume.level_set) return false;
+  if (flags.volume.label.empty()) return level.inside == InsideRule::below;
+  const std::vector<std::int64_t> asked = parse_labels(flags.volume.label);
+  const double least = value_range(volume).min;
+  return std::any_of(asked.begin(), asked.end(),
+                     [&](std::int64_t label) { return static_cast<double>(label) == least; });
+}
+
 /// Warns of what a volume that is written anew loses. Throws where that would be voxels.
 void check_output(const CommandFlags& flags, const Volume& volume, RunInput& run) {
   if (is_patched(flags, volume)) return;
@@ -70,14 +81,18 @@ void check_output(const CommandFlags& flags, const Volume& volume, RunInput& run
                           " would hold the value of --nan-as in place of NaN; only a copy of " +
                           flags.volume.file + " in its own format keeps NaN");
   }
+  if (file_kind(flags.output) == FileKind::vdb &&
+      has_least_value_inside(volume, flags, run.level)) {
+    throw InvalidArgument("--output " + flags.output +
+                          ": where a .vdb file is read, a layer of its least value lies round the "
+                          "voxels, and here that is inside; name a .nrrd");
+  }
   check_writer_memory("write", flags.output, run);
   warn_of_left_out(run, flags.output);
   const std::string& file = flags.volume.file;
   if (file_kind(flags.output) == file_kind(file)) {
-    add_warning(run, flags.output + " is written anew, since " + file +
-                         " cannot be copied with single voxels changed (it is scaled, packed in "
-                         "another way, or of another type than is read): its voxels are " +
-                         type_name(volume.values) +
+    add_warning(run, flags.output + " is written anew and is no copy of " + file +
+                         ": its voxels are " + type_name(volume.values) +
                          ", and what else the header states, and other frames, are left out");
   }
 }
@@ -98,6 +113,7 @@ void write_repaired(const CommandFlags& flags, const std::vector<VoxelChange>& c
     return;
   }
   std::vector<std::size_t> voxels;
+  voxels.reserve(changes.size());
   for (const VoxelChange& change : changes) voxels.push_back(change.voxel);
   AtomicFile file(flags.output);
   write_patched(volume, voxels, file.stream());
@@ -121,7 +137,11 @@ void check_together(const CommandFlags& flags) {
 Volume label_map(const CommandFlags& flags, RunInput& run) {
   VolumeFlags all = flags.volume;
   all.label.clear();
-  Volume labels = read_named(all, read_options(all), run.staged);
+  ReadOptions options = read_options(all);
+  options.max_bytes = run.cost.max_bytes;
+  Volume labels = about_file(run.file, [&] {
+    return in_stage("read", [&] { return read_named(all, options, run.staged); });
+  });
   const std::uint64_t bytes = checked_voxel_bytes(
       labels.dims, bytes_per_voxel(voxel_type(labels.values)), flags.volume.file);
   run.cost.max_bytes -= std::min(run.cost.max_bytes, bytes);

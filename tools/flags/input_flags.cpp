@@ -367,7 +367,7 @@ std::vector<std::string> tie_numbers_to_flags(const std::vector<std::string>& ar
       break;
     }
     const std::size_t most = numbers_after(arguments[i]);
-    const std::string flag = arguments[i++];
+    const std::string& flag = arguments[i++];
     std::string joined = flag;
     if (most > 0 && (i == arguments.size() || arguments[i].starts_with("--"))) {
       throw InvalidArgument(joined + " wants a number after it");

@@ -135,6 +135,7 @@ Volume label_volume(const LoopsRun& run, std::uint64_t writer_bytes_per_voxel) {
                run.cost.max_bytes);
   Volume labels = {.dims = run.volume.dims,
                    .spacing = run.volume.spacing,
+                   .unit = run.volume.unit,
                    .origin = run.volume.origin,
                    .direction = run.volume.direction,
                    .frame = run.volume.frame,

@@ -54,6 +54,7 @@ void write_counts(std::ostream& out, const Repair& repair) {
 template <class Item>
 std::vector<const Item*> items_in_rows(const std::vector<Item>& items, std::size_t most_rows) {
   std::vector<const Item*> chosen;
+  chosen.reserve(items.size());
   for (const Item& item : items) chosen.push_back(&item);
   if (most_rows == 0) return chosen;
   std::stable_sort(chosen.begin(), chosen.end(),

@@ -54,12 +54,12 @@ void write_loops_summary(std::ostream& out, const LoopsRun& run) {
 void write_scan_summary(std::ostream& out, const ScanRun& run) {
   const Scan& scan = run.scan;
   if (!scan.proposed) {
-    out << "iso=none\n";
+    out << "proposed_iso=none\n";
     return;
   }
   const ScanRow& row = scan.rows[*scan.proposed];
-  out << "iso=" << shortest_text(row.iso)
-      << " by=" << (scan.by == ProposedBy::plateau ? "plateau" : "otsu")
+  out << "proposed_iso=" << shortest_text(row.iso)
+      << " proposed_by=" << (scan.by == ProposedBy::plateau ? "plateau" : "otsu")
       << " large_b0=" << row.large.b0 << " large_b1=" << row.large.b1
       << " large_b2=" << row.large.b2 << " ignored_below=" << scan.ignored_below << '\n';
 }
@@ -68,7 +68,7 @@ void write_repair_summary(std::ostream& out, const RepairRun& run) {
   const Repair& repair = run.repair;
   write_iso(out, run.level);
   write_counts(out, repair.after);
-  out << " removed=" << repair.removals.size() << " kept=" << repair.kept.size()
+  out << " removals=" << repair.removals.size() << " kept=" << repair.kept.size()
       << " changed_voxels=" << repair.changes.size() << " filled_voxels=" << repair.added_voxels
       << " cut_voxels=" << repair.removed_voxels << " shifted_voxels=" << repair.shifted_voxels
       << '\n';

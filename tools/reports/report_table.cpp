@@ -284,6 +284,7 @@ void write_count_table(std::ostream& out, const CountRun& run) {
 
 std::vector<const Loop*> loops_in_rows(const LoopsRun& run, std::size_t most_rows) {
   std::vector<const Loop*> loops;
+  loops.reserve(run.reported.size());
   if (most_rows == 0) {
     for (const Loop& loop : run.reported) loops.push_back(&loop);
     return loops;

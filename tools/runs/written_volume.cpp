@@ -1,5 +1,6 @@
 #include "tools/runs/written_volume.h"
 
+#include <algorithm>
 #include <cstdint>
 
 #include "core/base/errors.h"
@@ -31,6 +32,12 @@ void check_written(const std::string& flag, const std::string& name, const Volum
   if (layout && (layout->dims != volume.dims || layout->type != type)) {
     throw InvalidArgument(flag + ' ' + name + " would hold " + dims_text(volume.dims) + ' ' +
                           type_name(type) + " voxels; name it so");
+  }
+  constexpr std::int64_t most = 32767;  // NIfTI-1 has 16 bits for it
+  if (file_kind(name) == FileKind::nifti &&
+      *std::max_element(volume.dims.begin(), volume.dims.end()) > most) {
+    throw InvalidArgument(flag + ' ' + name + ": NIfTI holds " + std::to_string(most) +
+                          " voxels along an axis at most; name a .nrrd");
   }
   if (is_written_as_floats(name) && !is_exact_as_float(type)) {
     throw InvalidArgument(flag + ' ' + name + ": OpenVDB grids are written as float, which would " +
