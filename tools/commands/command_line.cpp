@@ -14,7 +14,6 @@
 #include "tools/commands/generate_command.h"
 #include "tools/commands/info_command.h"
 #include "tools/commands/loops_command.h"
-#include "tools/commands/measure_command.h"
 #include "tools/commands/overview_command.h"
 #include "tools/commands/repair_command.h"
 #include "tools/commands/scan_command.h"

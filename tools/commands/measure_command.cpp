@@ -1,4 +1,4 @@
-#include "tools/commands/measure_command.h"
+#include "tools/commands/bench_command.h"
 
 #include <iostream>
 #include <memory>
