@@ -1,5 +1,3 @@
-#include "tools/commands/bench_command.h"
-
 #include <iostream>
 #include <memory>
 #include <string>
@@ -10,6 +8,7 @@
 #include "tools/bench/bench_flags.h"
 #include "tools/bench/measurement.h"
 #include "tools/bench/own_process.h"
+#include "tools/commands/bench_command.h"
 #include "tools/flags/thread_flag.h"
 #include "tools/runs/output_files.h"
 
