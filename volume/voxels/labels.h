@@ -35,8 +35,8 @@ struct SidedVoxel {
 
 /// The labels that these voxels get: that which most of the 26 voxels round it on its side have, of
 /// several the least; voxels that have got theirs count for those farther from the rim. Where no
-/// voxel on that side is in reach, the least label of `asked` that occurs, or outside the least from
-/// 0 on that is not asked for.
+/// voxel on that side is in reach, the least label of `asked` that occurs, or outside the least
+/// from 0 on that is not asked for.
 std::vector<std::int64_t> labels_of_sided(const AnyGridView& labels,
                                           std::span<const SidedVoxel> voxels,
                                           const std::vector<std::int64_t>& asked);
