@@ -16,7 +16,7 @@ namespace isoloop {
 /// round most of M across them.
 double block_side(const Vec3& spacing);
 
-/// Level k of the hierarchy: the connected parts of M within blocks of 2^k block_side() a side (of
+/// Tier k of the hierarchy: the connected parts of M within blocks of 2^k block_side() a side (of
 /// fewer along an axis whose voxels are more than a thousand times as long).
 struct ClusterTier {
   std::vector<std::uint32_t> cluster_of_vertex;     // of M
@@ -26,7 +26,7 @@ struct ClusterTier {
   EdgeGraph neighbors;  // clusters joined by an edge of M; lengths between centers
 };
 
-/// Level 0: each vertex of M is a cluster. Its neighbors are M's graph, of which it has no copy.
+/// Tier 0: each vertex of M is a cluster. Its neighbors are M's graph, of which it has no copy.
 ClusterTier finest_tier(const Surface& surface);
 
 /// The next tier: neighbours that fall into one block of twice the side become one cluster.
