@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -98,9 +99,12 @@ RepairResult repair(const AnyGridView& grid, const IsoLevel& level, const Repair
 
 /// Makes the changes in the voxels that the repair was asked of, in scan order.
 template <class T>
+void make_changes(std::span<const VoxelChange> changes, std::vector<T>& values) {
+  for (const VoxelChange& change : changes) values[change.voxel] = static_cast<T>(change.after);
+}
+template <class T>
 void make_changes(const RepairChanges& repair, std::vector<T>& values) {
-  for (const VoxelChange& change : repair.changes)
-    values[change.voxel] = static_cast<T>(change.after);
+  make_changes(std::span(repair.changes), values);
 }
 
 /// "handle 3", "tunnel 7".

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -98,12 +99,7 @@ void check_output(const CommandFlags& flags, const Volume& volume, RunInput& run
 }
 
 void change_voxels(const std::vector<VoxelChange>& changes, Volume& volume) {
-  std::visit(
-      [&]<class T>(std::vector<T>& values) {
-        for (const VoxelChange& change : changes)
-          values[change.voxel] = static_cast<T>(change.after);
-      },
-      volume.values);
+  std::visit([&](auto& values) { make_changes(std::span(changes), values); }, volume.values);
 }
 
 void write_repaired(const CommandFlags& flags, const std::vector<VoxelChange>& changes,

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/errors.h"
+#include "core/grid/lattice.h"
 #include "volume/base/rounded_text.h"
 
 namespace isoloop {
@@ -174,9 +175,8 @@ class LabelVotes {
 
   std::optional<std::int64_t> vote(const SidedVoxel& sided) const {
     std::map<std::int64_t, int> votes;
-    const auto at = static_cast<std::int64_t>(sided.voxel);
     const Index3& dims = labels_.dims;
-    const Index3 voxel{at % dims[0], at / dims[0] % dims[1], at / (dims[0] * dims[1])};
+    const Index3 voxel = voxel_index(sided.voxel, dims);
     for (std::int64_t i = 0; i < 27; ++i) {
       const Index3 near{voxel[0] + i % 3 - 1, voxel[1] + i / 3 % 3 - 1, voxel[2] + i / 9 - 1};
       if (i == 13 || !is_within(near)) continue;
