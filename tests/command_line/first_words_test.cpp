@@ -119,6 +119,10 @@ TEST_F(FirstWords, ASummaryIsOneLineForScripts) {
       run({"repair", ring_, "--iso", "1", "--fill-tunnels", "99", "--dry-run", "--summary"});
   EXPECT_EQ(repaired.out.find("iso=1 b0=1 b1=0 b2=0 euler=2 genus=0 removals=1 kept=0 "), 0U)
       << repaired.out;
+  const ProcessResult stats =
+      run({"loops", ring_, "--iso", "1", "--engine", "pair", "--stats", "--summary"});
+  EXPECT_EQ(stats.out.find('\n'), stats.out.size() - 1);
+  EXPECT_NE(stats.err, "") << "statistics go to the other stream";
   expect_failure({"count", ring_, "--iso", "1", "--summary", "--json", "-"}, 2,
                  "--summary goes to");
   expect_failure({"loops", ring_, "--iso", "1", "--top", "3", "--csv", "-"}, 2, "--top is for");

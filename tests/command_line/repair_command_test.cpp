@@ -221,6 +221,8 @@ TEST_F(RepairCommand, RefusesWhatMakesNoSense) {
   expect_failure(with({"--genus", "0"}), 2, "--output");
   expect_failure(with({"--genus", "0", "-o", ring_}), 2, "would overwrite the input");
   expect_failure(with({"--genus", "0", "-o", "out.tif"}), 2, "volumes are written as");
+  expect_failure(with({"--inside", "below", "--genus", "0", "-o", "out.vdb"}), 2,
+                 "a layer of its least value lies round the voxels, and here that is inside");
   expect_failure(with({"--ids", "1", "-o", out_}), 2, "h1 or t1");
   expect_failure(with({"--ids", "h2", "-o", out_}), 2, "there is no handle 2");
   expect_failure(with({"--ids", "x", "--side", "handle", "-o", out_}), 2, "'x' is no id");

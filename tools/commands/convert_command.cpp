@@ -5,7 +5,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "core/base/errors.h"
 #include "tools/flags/input_flags.h"
 #include "tools/reports/report_table.h"
 #include "tools/runs/output_files.h"
@@ -35,11 +34,7 @@ RunInput converted_run(const ConvertFlags& flags) {
 }
 
 void convert(const ConvertFlags& flags) {
-  // Refused before anything is read, as far as the name says it.
-  if (!is_written(flags.output)) {
-    throw InvalidArgument("OUT " + flags.output + ": volumes are written as " +
-                          written_extensions());
-  }
+  check_written_format("OUT", flags.output);  // before anything is read
   RunInput run;
   OutputFiles outputs(flags.volume.file);
   outputs.add("OUT", flags.output,

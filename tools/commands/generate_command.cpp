@@ -12,6 +12,7 @@
 #include "tools/flags/input_flags.h"
 #include "tools/runs/memory_cap.h"
 #include "tools/runs/output_files.h"
+#include "tools/runs/written_volume.h"
 #include "tools/words/flag_checks.h"
 #include "tools/words/number_text.h"
 #include "volume/base/file_kind.h"
@@ -60,10 +61,7 @@ void check_name(const std::filesystem::path& path, const Shape& shape) {
 
 void generate(const GenerateFlags& flags) {
   const std::filesystem::path path(flags.output);
-  if (!is_written(path)) {
-    throw InvalidArgument("--output " + flags.output + ": volumes are written as " +
-                          written_extensions());
-  }
+  check_written_format("--output", flags.output);
   check_writable(path);
   ShapeOptions options = flags.options;
   if (!flags.max_memory.empty()) {

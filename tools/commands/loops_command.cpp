@@ -83,9 +83,7 @@ FeatureOptions feature_options(const LoopsFlags& flags) {
 }
 
 void add_labels(OutputFiles& outputs, const std::string& name, const LoopsRun& run) {
-  if (!is_written(name)) {
-    throw InvalidArgument("--labels " + name + ": volumes are written as " + written_extensions());
-  }
+  check_written_format("--labels", name);
   // OpenVDB takes floats, all of them and in its tree.
   const bool as_floats = file_format(name)->written == Written::as_floats;
   const std::uint64_t writer_bytes_per_voxel = as_floats ? 8 : 0;
@@ -147,7 +145,8 @@ void find(const LoopsFlags& flags) {
                                     out << "page: " << flags.html << lacks << '\n';
                                   if (input.engine.stats) write_stats(out << '\n', found);
                                 }});
-  if (input.engine.stats && outputs.uses_stdout()) write_stats(std::cerr, run);
+  if (input.engine.stats && (outputs.uses_stdout() || flags.table.summary))
+    write_stats(std::cerr, run);
 }
 
 /// A flag that may be repeated, each time with one name.

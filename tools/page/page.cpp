@@ -22,6 +22,7 @@
 #include "tools/reports/scan_plot.h"
 #include "tools/words/base64.h"
 #include "tools/words/flag_checks.h"
+#include "tools/words/largest.h"
 #include "tools/words/number_text.h"
 
 namespace isoloop {
@@ -198,7 +199,7 @@ PageLoops loops_of(const LoopsRun& run, const Box& box, const DrawnSurface& draw
   PageLoops loops;
   std::vector<std::pair<std::size_t, Json>> chosen;
   std::size_t bytes = 0;
-  for (const std::size_t place : largest_first(run.reported)) {
+  for (const std::size_t place : largest_first(run.reported, &Loop::size)) {
     Json loop = loop_of(run, box, drawn, run.reported[place]);
     bytes += loop.dump().size();
     if (bytes > most_bytes) {

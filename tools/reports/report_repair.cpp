@@ -11,6 +11,7 @@
 #include "tools/flags/input_flags.h"
 #include "tools/reports/report_json.h"
 #include "tools/reports/report_table.h"
+#include "tools/words/largest.h"
 #include "tools/words/number_text.h"
 #include "tools/words/sentence.h"
 #include "tools/words/text_rows.h"
@@ -50,19 +51,6 @@ void write_counts(std::ostream& out, const Repair& repair) {
   row("cavities", repair.before.betti.b2, repair.after.betti.b2);
 }
 
-/// In their order, or the `most_rows` longest if that is above 0.
-template <class Item>
-std::vector<const Item*> items_in_rows(const std::vector<Item>& items, std::size_t most_rows) {
-  std::vector<const Item*> chosen;
-  chosen.reserve(items.size());
-  for (const Item& item : items) chosen.push_back(&item);
-  if (most_rows == 0) return chosen;
-  std::stable_sort(chosen.begin(), chosen.end(),
-                   [](const Item* a, const Item* b) { return a->length > b->length; });
-  chosen.resize(std::min(chosen.size(), most_rows));
-  return chosen;
-}
-
 std::string done_text(const Removal& removal) {
   const std::string done = action_text(removal.action);
   return removal.by.kind == removal.loop.kind ? done : done + ' ' + text_of(removal.by);
@@ -73,7 +61,7 @@ void write_removals(std::ostream& out, const RepairRun& run, std::size_t most_ro
   const int decimals = length_decimals(run.volume.spacing);
   std::vector<Row<6>> rows{
       {"round", "loop", with_unit("length", run.volume), "done", "voxels", "centre (index)"}};
-  for (const Removal* removal : items_in_rows(run.repair.removals, most_rows))
+  for (const Removal* removal : items_in_rows(run.repair.removals, most_rows, &Removal::length))
     rows.push_back({std::to_string(removal->round), text_of(removal->loop),
                     fixed_text(removal->length, decimals), done_text(*removal),
                     std::to_string(removal->voxels), center_text(removal->center_index)});
@@ -87,7 +75,7 @@ void write_kept(std::ostream& out, const RepairRun& run, std::size_t most_rows) 
   const int decimals = length_decimals(run.volume.spacing);
   std::vector<Row<4>> rows{
       {"round", "cannot be removed", with_unit("length", run.volume), "centre (index)"}};
-  for (const KeptLoop* kept : items_in_rows(run.repair.kept, most_rows))
+  for (const KeptLoop* kept : items_in_rows(run.repair.kept, most_rows, &KeptLoop::length))
     rows.push_back({std::to_string(kept->round), text_of(kept->loop),
                     fixed_text(kept->length, decimals), center_text(kept->center_index)});
   out << '\n';

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "tools/runs/mesh_comparison.h"
+#include "tools/words/largest.h"
 #include "tools/words/number_text.h"
 #include "tools/words/sentence.h"
 #include "tools/words/text_rows.h"
@@ -122,11 +122,7 @@ void write_head(std::ostream& out, const CountRun& run) {
 void write_components(std::ostream& out, const Surface& surface) {
   const auto& components = surface.components;
   if (components.size() < 2) return;
-  std::vector<std::size_t> order(components.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return components[a].vertices > components[b].vertices;
-  });
+  std::vector<std::size_t> order = largest_first(components, &SurfaceComponent::vertices);
   order.resize(std::min(order.size(), most_components));
   const bool open = surface.boundary == Boundary::open;
   std::vector<Row<6>> rows{
@@ -283,16 +279,7 @@ void write_count_table(std::ostream& out, const CountRun& run) {
 }
 
 std::vector<const Loop*> loops_in_rows(const LoopsRun& run, std::size_t most_rows) {
-  std::vector<const Loop*> loops;
-  loops.reserve(run.reported.size());
-  if (most_rows == 0) {
-    for (const Loop& loop : run.reported) loops.push_back(&loop);
-    return loops;
-  }
-  std::vector<std::size_t> places = largest_first(run.reported);
-  places.resize(std::min(places.size(), most_rows));
-  for (const std::size_t place : places) loops.push_back(&run.reported[place]);
-  return loops;
+  return items_in_rows(run.reported, most_rows, &Loop::size);
 }
 
 void write_more(std::ostream& out, std::size_t rows, std::size_t all) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <numeric>
 #include <string>
 #include <utility>
 
@@ -96,14 +95,6 @@ std::vector<Loop> select_loops(const std::vector<Loop>& loops, const LoopFilter&
     }
   }
   return selected;
-}
-
-std::vector<std::size_t> largest_first(const std::vector<Loop>& loops) {
-  std::vector<std::size_t> places(loops.size());
-  std::iota(places.begin(), places.end(), std::size_t{0});
-  std::stable_sort(places.begin(), places.end(),
-                   [&](std::size_t a, std::size_t b) { return loops[a].size > loops[b].size; });
-  return places;
 }
 
 void add_warning(RunInput& run, std::string sentence) {

@@ -32,9 +32,6 @@ struct LoopFilter {
 /// The loops that pass the filter, in the order and with the ids of the full list.
 std::vector<Loop> select_loops(const std::vector<Loop>& loops, const LoopFilter& filter);
 
-/// The places of the loops, the largest size first; of equal ones the first.
-std::vector<std::size_t> largest_first(const std::vector<Loop>& loops);
-
 struct RunCost {
   std::uint64_t max_bytes = 0;   // what --max-memory leaves once the volume is read
   double read_seconds = 0.0;     // wall clock

@@ -8,6 +8,7 @@
 #include "volume/base/file_kind.h"
 #include "volume/base/memory_limit.h"
 #include "volume/files/write.h"
+#include "volume/formats/nifti.h"
 #include "volume/formats/raw.h"
 
 namespace isoloop {
@@ -23,20 +24,22 @@ bool is_written_as_floats(const std::string& name) {
 
 }  // namespace
 
+void check_written_format(const std::string& flag, const std::string& name) {
+  if (is_written(name)) return;
+  throw InvalidArgument(flag + ' ' + name + ": volumes are written as " + written_extensions());
+}
+
 void check_written(const std::string& flag, const std::string& name, const Volume& volume) {
-  if (!is_written(name)) {
-    throw InvalidArgument(flag + ' ' + name + ": volumes are written as " + written_extensions());
-  }
+  check_written_format(flag, name);
   const VoxelType type = voxel_type(volume.values);
   const auto layout = file_kind(name) == FileKind::raw ? layout_from_name(name) : std::nullopt;
   if (layout && (layout->dims != volume.dims || layout->type != type)) {
     throw InvalidArgument(flag + ' ' + name + " would hold " + dims_text(volume.dims) + ' ' +
                           type_name(type) + " voxels; name it so");
   }
-  constexpr std::int64_t most = 32767;  // NIfTI-1 has 16 bits for it
   if (file_kind(name) == FileKind::nifti &&
-      *std::max_element(volume.dims.begin(), volume.dims.end()) > most) {
-    throw InvalidArgument(flag + ' ' + name + ": NIfTI holds " + std::to_string(most) +
+      *std::max_element(volume.dims.begin(), volume.dims.end()) > most_nifti_voxels) {
+    throw InvalidArgument(flag + ' ' + name + ": NIfTI holds " + std::to_string(most_nifti_voxels) +
                           " voxels along an axis at most; name a .nrrd");
   }
   if (is_written_as_floats(name) && !is_exact_as_float(type)) {

@@ -13,8 +13,7 @@
 namespace isoloop {
 namespace {
 
-constexpr std::int64_t most_along_axis = 32767;  // NIfTI-1 has 16 bits for it
-constexpr std::size_t header_bytes = 352;        // with the four that say: no extension follows
+constexpr std::size_t header_bytes = 352;  // with the four that say: no extension follows
 
 /// Numbers at fixed places, little-endian.
 class Fields {
@@ -62,9 +61,9 @@ Fields header_of(const Volume& volume, const std::string& what) {
   fields.put<float>(76, 1.0F);
   for (std::size_t axis = 0; axis < 7; ++axis) {
     const std::int64_t length = axis < 3 ? volume.dims[axis] : 1;
-    if (length > most_along_axis) {
+    if (length > most_nifti_voxels) {
       throw InvalidArgument({.file = what,
-                             .text = "NIfTI holds " + std::to_string(most_along_axis) +
+                             .text = "NIfTI holds " + std::to_string(most_nifti_voxels) +
                                      " voxels along an axis at most; write a .nrrd"});
     }
     fields.put(42 + 2 * axis, static_cast<std::int16_t>(length));

@@ -70,6 +70,16 @@ TEST(SimplifiedMesh, GoesFartherWhereSmallHandlesMayGo) {
   ASSERT_GT(most, 100U);
   const TriangleMesh simple = simplified(mesh, most, HandleRule::drop_small);
   EXPECT_LE(simple.triangles.size(), most);
+  const auto components = [](const TriangleMesh& of) {
+    DisjointSets sets(static_cast<std::uint32_t>(of.points.size()));
+    std::size_t count = of.points.size();
+    for (const auto& [a, b, c] : of.triangles) {
+      if (sets.unite(a, b)) --count;
+      if (sets.unite(b, c)) --count;
+    }
+    return count;
+  };
+  EXPECT_EQ(components(simple), components(mesh)) << "each keeps some triangles";
   for (const auto& [a, b, c] : simple.triangles) {
     EXPECT_TRUE(a != b && b != c && c != a);
     EXPECT_LT(std::max({a, b, c}), simple.points.size());

@@ -129,6 +129,13 @@ TEST(Page, LeavesOutTheSmallestPiecesAndSaysSo) {
   EXPECT_EQ(data["mesh"]["triangles"], 26);
 }
 
+TEST(Page, ShowsAPieceForEveryTwentyTrianglesAtMost) {
+  std::ostringstream out;
+  const LeftOut left_out = write_page(out, run_of_three_pieces(), {.most_triangles = 40});
+  EXPECT_EQ(left_out.pieces, 1U);
+  for (const auto& piece : data_in(out.str())["mesh"]["pieces"]) EXPECT_GE(piece[1], 4);
+}
+
 TEST(Page, LeavesOutTheSmallestLoopsWhereTheyTakeTooMuchAndSaysSo) {
   LoopsRun run = torus_run();
   run.reported.resize(1, run.reported[0]);

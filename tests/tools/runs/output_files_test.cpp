@@ -53,6 +53,20 @@ TEST(OutputFiles, RefusesTheInputUnderAnyName) {
                InvalidArgument);
 }
 
+TEST(OutputFiles, RefusesTheSlicesOfAFolderAndVoxelsBesideAHeader) {
+  const ScratchDirectory scratch;
+  scratch.write("1.png", "slice");
+  OutputFiles of_folder(scratch.path());
+  EXPECT_THROW(of_folder.add("--ply", (scratch.path() / "1.png").string(), write_name),
+               InvalidArgument);
+  EXPECT_NO_THROW(of_folder.add("--ply", (scratch.path() / "new.ply").string(), write_name));
+  OutputFiles of_header(scratch.path() / "a.nhdr");
+  of_header.add("--json", (scratch.path() / "1.png").string(), write_name);
+  EXPECT_NO_THROW(of_header.check_apart_from({}));
+  EXPECT_NO_THROW(of_header.check_apart_from(scratch.path() / "a.raw"));
+  EXPECT_THROW(of_header.check_apart_from(scratch.path() / "." / "1.png"), InvalidArgument);
+}
+
 TEST(OutputFiles, RefusesOneFileTwice) {
   const ScratchDirectory scratch;
   OutputFiles outputs("in.raw");
