@@ -22,7 +22,8 @@ class CMakeBuild(build_ext):
         build = pathlib.Path(os.environ.get("ISOLOOP_BUILD", self.build_temp)).absolute()
         if not (build / "CMakeCache.txt").exists():
             options = ["-DCMAKE_BUILD_TYPE=Release", "-DISOLOOP_PYTHON=ON", "-DISOLOOP_TESTS=OFF",
-                       "-DISOLOOP_INSTALL=OFF", f"-DPython_EXECUTABLE={sys.executable}"]
+                       "-DISOLOOP_INSTALL=OFF", "-DCMAKE_UNITY_BUILD=ON",
+                       f"-DPython_EXECUTABLE={sys.executable}"]
             generator = ["-G", "Ninja"] if self._has_ninja() else []
             subprocess.run(["cmake", *generator, "-S", ROOT, "-B", build, *options], check=True)
         jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", str(os.cpu_count() or 1))

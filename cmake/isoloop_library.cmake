@@ -11,4 +11,6 @@ function(isoloop_library name)
   target_link_libraries(isoloop_${name} PRIVATE "$<BUILD_INTERFACE:isoloop_options>")
   set_target_properties(isoloop_${name} PROPERTIES
     EXPORT_NAME ${name} VERSION "${PROJECT_VERSION}" SOVERSION "${PROJECT_VERSION_MAJOR}")
+  # Stages and readers that are alike have functions of the same name, each its own.
+  set_target_properties(isoloop_${name} PROPERTIES UNITY_BUILD OFF)
 endfunction()

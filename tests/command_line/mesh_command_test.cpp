@@ -3,6 +3,7 @@
 #include <string>
 
 #include "tests/command_line/fixture.h"
+#include "tests/samples/contains.h"
 #include "tests/samples/mesh_samples.h"
 #include "tests/samples/real_data.h"
 
@@ -10,11 +11,8 @@ namespace isoloop {
 namespace {
 
 using test::box_mesh;
+using test::contains;
 using test::joined;
-
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 class MeshCommand : public CommandLine {
  protected:
@@ -35,18 +33,18 @@ TEST_F(MeshCommand, WhereVoxelsLoseAGapTheMeshSaysSo) {
     arguments.insert(arguments.end(), {"--resolution", "40"});
     const ProcessResult result = run(arguments);
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_TRUE(holds(result.err,
-                      "isoloop: warning: boxes.stl: the voxels have 1 component, 0 tunnels, 0 "
-                      "cavities, but the mesh itself 2 components, 0 tunnels, 0 cavities"))
+    EXPECT_TRUE(contains(result.err,
+                         "isoloop: warning: boxes.stl: the voxels have 1 component, 0 tunnels, 0 "
+                         "cavities, but the mesh itself 2 components, 0 tunnels, 0 cavities"))
         << command[0] << result.err;
     EXPECT_TRUE(
-        holds(result.err, "try --voxel 0.015, half the least gap between two shells (0.03)"))
+        contains(result.err, "try --voxel 0.015, half the least gap between two shells (0.03)"))
         << result.err;
   }
   const ProcessResult table = run({"count", "boxes.stl", "--resolution", "40"});
-  EXPECT_TRUE(holds(table.out,
-                    "\nmesh        2 components, 0 tunnels, 0 cavities by its 24 triangles in 2 "
-                    "shells: the voxels have others\n"))
+  EXPECT_TRUE(contains(table.out,
+                       "\nmesh        2 components, 0 tunnels, 0 cavities by its 24 triangles in 2 "
+                       "shells: the voxels have others\n"))
       << table.out;
 }
 
@@ -63,14 +61,14 @@ TEST_F(MeshCommand, AutoRefinesUntilTheyAgree) {
   const ProcessResult result = run({"count", "boxes.stl", "--resolution", "auto"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.err, "");
-  EXPECT_TRUE(holds(result.out, "24 triangles in 2 shells: the voxels have the same\n"))
+  EXPECT_TRUE(contains(result.out, "24 triangles in 2 shells: the voxels have the same\n"))
       << result.out;
-  EXPECT_TRUE(holds(result.out, "note        --resolution auto took 128")) << result.out;
+  EXPECT_TRUE(contains(result.out, "note        --resolution auto took 128")) << result.out;
   const ProcessResult limited =
       run({"count", "boxes.stl", "--resolution", "auto", "--max-voxels", "100000"});
   EXPECT_EQ(limited.exit_code, 0) << limited.err;
-  EXPECT_TRUE(holds(limited.err, "--resolution auto took 64, the nearest")) << limited.err;
-  EXPECT_FALSE(holds(limited.err, "half the")) << limited.err;
+  EXPECT_TRUE(contains(limited.err, "--resolution auto took 64, the nearest")) << limited.err;
+  EXPECT_FALSE(contains(limited.err, "half the")) << limited.err;
   expect_failure({"count", "boxes.stl", "--resolution", "auto", "--max-voxels", "1000"}, 4,
                  "--max-voxels");
   expect_failure({"count", "boxes.stl", "--resolution", "auto", "--voxel", "1"}, 2, "--resolution");
@@ -79,14 +77,14 @@ TEST_F(MeshCommand, AutoRefinesUntilTheyAgree) {
 TEST_F(MeshCommand, AnOpenMeshHasNoCountsOfItsOwn) {
   const ProcessResult result = run({"count", "open.off", "--resolution", "40"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_TRUE(holds(result.out, "mesh        no counts of its own, because it is open\n"))
+  EXPECT_TRUE(contains(result.out, "mesh        no counts of its own, because it is open\n"))
       << result.out;
-  EXPECT_FALSE(holds(result.err, "but the mesh itself")) << result.err;
+  EXPECT_FALSE(contains(result.err, "but the mesh itself")) << result.err;
 }
 
 TEST_F(MeshCommand, InfoPrintsTheMesh) {
   const ProcessResult result = run({"info", "boxes.stl", "--resolution", "40"});
-  EXPECT_TRUE(holds(result.out, "\nmesh       2 components, 0 tunnels, 0 cavities by its 24"))
+  EXPECT_TRUE(contains(result.out, "\nmesh       2 components, 0 tunnels, 0 cavities by its 24"))
       << result.out;
 }
 
@@ -101,10 +99,11 @@ TEST_F(MeshCommand, OddMeshesComeOutRight) {
   };
   ISOLOOP_NEEDS("odd/close_rings.stl");
   const ProcessResult rings = count("close_rings.stl", "128");
-  EXPECT_TRUE(holds(rings.err, "the mesh itself 2 components, 2 tunnels, 0 cavities")) << rings.err;
+  EXPECT_TRUE(contains(rings.err, "the mesh itself 2 components, 2 tunnels, 0 cavities"))
+      << rings.err;
   ISOLOOP_NEEDS("odd/hollow_torus_last_bits.stl");
   const ProcessResult hollow = count("hollow_torus_last_bits.stl", "128");
-  EXPECT_TRUE(holds(hollow.err, "were taken to be one")) << hollow.err;
+  EXPECT_TRUE(contains(hollow.err, "were taken to be one")) << hollow.err;
   const Json json = Json::parse(hollow.out);
   EXPECT_EQ(betti(json["betti"]), (std::array{1, 2, 1}));
   EXPECT_EQ(betti(json["input"]["mesh"]["betti"]), (std::array{1, 2, 1}));

@@ -4,12 +4,14 @@
 
 #include "tests/command_line/fixture.h"
 #include "tests/samples/byte_samples.h"
+#include "tests/samples/contains.h"
 #include "tests/samples/npy_samples.h"
 #include "tests/samples/real_data.h"
 
 namespace isoloop {
 namespace {
 
+using test::contains;
 using testing::data;
 
 class UntidyInput : public CommandLine {
@@ -31,10 +33,6 @@ class UntidyInput : public CommandLine {
   const std::string ring_ = "ring_5x5x3_uint8.raw";
 };
 
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST_F(UntidyInput, AMaskIsSaidToBeOneByEveryCommand) {
   const std::string flags = "--label 1 --connectivity 26";
   for (const Words& arguments :
@@ -43,15 +41,15 @@ TEST_F(UntidyInput, AMaskIsSaidToBeOneByEveryCommand) {
         Words{"info", ring_}}) {
     const ProcessResult result = run(arguments);
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_TRUE(holds(result.out, flags)) << arguments[0] << result.out;
-    EXPECT_TRUE(holds(result.out, "0 and 1 alone")) << arguments[0] << result.out;
+    EXPECT_TRUE(contains(result.out, flags)) << arguments[0] << result.out;
+    EXPECT_TRUE(contains(result.out, "0 and 1 alone")) << arguments[0] << result.out;
   }
   const ProcessResult counted = run({"count", ring_, "--iso", "1"});
-  EXPECT_TRUE(holds(counted.out, "which gives 1 component, 1 tunnel and 0 cavities"))
+  EXPECT_TRUE(contains(counted.out, "which gives 1 component, 1 tunnel and 0 cavities"))
       << counted.out;
   const Json json = json_of({"count", ring_, "--iso", "1"});
-  EXPECT_TRUE(holds(json.at("input").at("notes").dump(), flags));
-  EXPECT_TRUE(holds(json_of({"scan", ring_}).at("input").at("notes").dump(), flags));
+  EXPECT_TRUE(contains(json.at("input").at("notes").dump(), flags));
+  EXPECT_TRUE(contains(json_of({"scan", ring_}).at("input").at("notes").dump(), flags));
 }
 
 TEST_F(UntidyInput, AMaskThatIsReadAsOneNeedsNoHint) {
@@ -60,7 +58,7 @@ TEST_F(UntidyInput, AMaskThatIsReadAsOneNeedsNoHint) {
                                  Words{"info", ring_, "--label", "1"}}) {
     const ProcessResult result = run(arguments);
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_FALSE(holds(result.out, "--connectivity 26")) << result.out;
+    EXPECT_FALSE(contains(result.out, "--connectivity 26")) << result.out;
   }
 }
 
@@ -104,8 +102,8 @@ TEST_F(UntidyInput, APartOfAVolumeIsReportedAsOneAndStaysInItsPlace) {
   EXPECT_TRUE(table.out.starts_with(
       "ring_5x5x3_uint8.raw: 3 x 5 x 1 uint8 (voxels 1:4,0:5,1:2 of 5 x 5 x 3), inside is f >= 1"))
       << table.out;
-  EXPECT_TRUE(holds(run({"info", ring_, "--crop", "1:4,:,1:2"}).out, "voxels 1:4,0:5,1:2 of"));
-  EXPECT_TRUE(holds(run({"scan", ring_, "--crop", "1:4,:,1:2"}).out, "voxels 1:4,0:5,1:2 of"));
+  EXPECT_TRUE(contains(run({"info", ring_, "--crop", "1:4,:,1:2"}).out, "voxels 1:4,0:5,1:2 of"));
+  EXPECT_TRUE(contains(run({"scan", ring_, "--crop", "1:4,:,1:2"}).out, "voxels 1:4,0:5,1:2 of"));
 }
 
 TEST_F(UntidyInput, OddFilesComeOutRight) {
@@ -133,14 +131,14 @@ TEST_F(UntidyInput, OddFilesAreReadWithAWordOfWhatWasAssumed) {
     ISOLOOP_NEEDS("odd/" + std::string(name));
     const ProcessResult result = run_on(name, {"--resolution", "64"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_TRUE(holds(result.err, "isoloop: warning: ")) << name << result.err;
+    EXPECT_TRUE(contains(result.err, "isoloop: warning: ")) << name << result.err;
   }
   ISOLOOP_NEEDS("odd/one_partial_block.vti");
   EXPECT_EQ(run_on("one_partial_block.vti", {"--iso", "0.5"}).exit_code, 0);
   ISOLOOP_NEEDS("odd/skeleton_mask.npy");
   const ProcessResult mask = run_on("skeleton_mask.npy", {"--iso", "128"});
-  EXPECT_TRUE(holds(mask.out, "--label 255 --connectivity 26")) << mask.out;
-  EXPECT_TRUE(holds(mask.out, "1 component, 3 tunnels and 0 cavities")) << mask.out;
+  EXPECT_TRUE(contains(mask.out, "--label 255 --connectivity 26")) << mask.out;
+  EXPECT_TRUE(contains(mask.out, "1 component, 3 tunnels and 0 cavities")) << mask.out;
 }
 
 }  // namespace

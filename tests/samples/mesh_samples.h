@@ -25,6 +25,8 @@ inline Mesh box_mesh(const Vec3& low, const Vec3& high) {
   return mesh;
 }
 
+inline Mesh sample_box() { return box_mesh({-1.5, 0.25, 2}, {1, 10.75, 300}); }
+
 /// Axis z through `centre`; `around` by `across` quads, each cut in two.
 inline Mesh torus_mesh(const Vec3& centre, double ring, double tube, std::uint32_t around,
                        std::uint32_t across) {
@@ -122,6 +124,10 @@ inline MeshKind kind_of(MeshFormat format) {
     default:
       return MeshKind::ply;
   }
+}
+
+inline Mesh parsed(const std::string& bytes, MeshFormat format) {
+  return parse_mesh(bytes, kind_of(format), "a.mesh");
 }
 
 template <class T>

@@ -1,9 +1,20 @@
 // A finished run made by hand: a torus of nine vertices with one handle loop and one tunnel loop.
 #pragma once
 
+#include <sstream>
+#include <string>
+
 #include "tools/runs/run_result.h"
 
 namespace isoloop {
+
+/// What report(stream, run) writes.
+template <class Report>
+std::string written(const Report& report, const LoopsRun& run) {
+  std::ostringstream out;
+  report(out, run);
+  return out.str();
+}
 
 /// Vertex 3 i + j lies at angle i round the axis and angle j round the tube. The handle loop runs
 /// through vertices 0 1 2, the tunnel loop through 0 3 6. The volume is 10 x 10 x 10 float32 with

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/errors.h"
+#include "tests/samples/contains.h"
 #include "tests/samples/real_data.h"
 
 namespace isoloop::test {
@@ -77,10 +78,6 @@ Error error_of(const Action& action) {
 /// Whether the advice is among what may be done.
 inline bool advises(const Finding& finding, Advice advice) {
   return std::find(finding.advice.begin(), finding.advice.end(), advice) != finding.advice.end();
-}
-
-inline bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 using testing::data;

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/words/json_text.h"
 #include "tools/words/number_text.h"
 #include "tools/words/text_rows.h"
 
@@ -227,21 +228,6 @@ Json machine_json(const Machine& machine) {
   return {{"processor", machine.processor},       {"cores", machine.cores},
           {"memory_bytes", machine.memory_bytes}, {"system", machine.system},
           {"compiler", machine.compiler},         {"version", machine.version}};
-}
-
-std::string line_of(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
-template <class Items, class ToJson>
-void write_list(std::ostream& out, const char* name, const Items& items, const ToJson& to_json) {
-  out << ",\n  \"" << name << "\": [";
-  const char* separator = "\n    ";
-  for (const auto& item : items) {
-    out << separator << line_of(to_json(item));
-    separator = ",\n    ";
-  }
-  out << (items.empty() ? "]" : "\n  ]");
 }
 
 }  // namespace

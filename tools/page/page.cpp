@@ -22,6 +22,7 @@
 #include "tools/reports/scan_plot.h"
 #include "tools/words/base64.h"
 #include "tools/words/flag_checks.h"
+#include "tools/words/json_text.h"
 #include "tools/words/largest.h"
 #include "tools/words/number_text.h"
 
@@ -278,7 +279,7 @@ std::string html_text(std::string_view text) {
 
 /// No "</script>" within.
 std::string script_text(const Json& json) {
-  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string text = line_of(json);
   for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))
     text.replace(at, 1, "\\u003c");
   return text;

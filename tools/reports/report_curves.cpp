@@ -1,11 +1,13 @@
 #include "tools/reports/report_curves.h"
 
+#include <array>
 #include <cmath>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "core/base/errors.h"
+#include "tools/drawings/colours.h"
 #include "tools/reports/report_table.h"
 #include "tools/words/number_text.h"
 
@@ -42,9 +44,11 @@ void write_cell_array(std::ostream& out, const LoopsRun& run, const char* type, 
   out << "</DataArray>\n";
 }
 
-std::array<double, 3> colour_of(LoopKind kind) {
-  if (kind == LoopKind::loop) return {0.12, 0.35, 0.9};
-  return kind == LoopKind::handle ? std::array{0.0, 0.63, 0.16} : std::array{0.86, 0.08, 0.08};
+/// Of 1, to two places.
+std::array<double, 3> shares_of(const Colour& colour) {
+  std::array<double, 3> shares{};
+  for (std::size_t i = 0; i < 3; ++i) shares[i] = std::round(100.0 * colour[i] / 255.0) / 100.0;
+  return shares;
 }
 
 }  // namespace
@@ -108,7 +112,7 @@ void write_curves_mrk(std::ostream& out, const LoopsRun& run) {
       points.push_back({{"id", std::to_string(points.size() + 1)}, {"position", point}});
     std::string name = kind_text(loop.kind) + ' ' + std::to_string(loop.id);
     if (loop.curves.size() > 1) name += ", curve " + std::to_string(number + 1);
-    const auto colour = colour_of(loop.kind);
+    const auto colour = shares_of(colour_of(loop.kind));
     markups.push_back({{"type", "ClosedCurve"},
                        {"coordinateSystem", run.volume.frame == Frame::ras ? "RAS" : "LPS"},
                        {"name", name},

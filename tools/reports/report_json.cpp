@@ -11,6 +11,7 @@
 #include "tools/reports/report_features.h"
 #include "tools/reports/report_table.h"
 #include "tools/runs/mesh_comparison.h"
+#include "tools/words/json_text.h"
 #include "tools/words/sentence.h"
 
 namespace isoloop {
@@ -19,14 +20,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // One line. Bytes of a file name that are not UTF-8 are replaced rather than refused.
-std::string line_of(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
-void write_member(std::ostream& out, const char* name, const Json& value) {
-  out << ",\n  \"" << name << "\": " << line_of(value);
-}
-
 // Rows of the map from (i, j, k, 1) to the world.
 Json affine_of(const Volume& volume) {
   Json rows = Json::array();
@@ -159,18 +152,6 @@ Json component_of(Boundary boundary, const SurfaceComponent& component) {
                {"bounds", bounds_text(boundary, component)}};
   if (boundary == Boundary::open) json["borders"] = component.borders;
   return json;
-}
-
-// One line for each item.
-template <class Items, class ToJson>
-void write_list(std::ostream& out, const char* name, const Items& items, const ToJson& to_json) {
-  out << ",\n  \"" << name << "\": [";
-  const char* separator = "\n    ";
-  for (const auto& item : items) {
-    out << separator << line_of(to_json(item));
-    separator = ",\n    ";
-  }
-  out << (items.empty() ? "]" : "\n  ]");
 }
 
 void write_loops(std::ostream& out, const LoopsRun& run) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/errors.h"
+#include "tools/drawings/colours.h"
 #include "tools/drawings/tube.h"
 #include "tools/reports/report_features.h"
 #include "tools/reports/report_table.h"
@@ -17,17 +18,7 @@
 namespace isoloop {
 namespace {
 
-using Colour = std::array<std::uint8_t, 3>;
 constexpr Colour surface_grey{200, 200, 200};
-constexpr Colour handle_green{0, 160, 40};
-constexpr Colour tunnel_red{220, 20, 20};
-
-constexpr Colour loop_blue{30, 90, 230};
-
-Colour colour_of(LoopKind kind) {
-  if (kind == LoopKind::loop) return loop_blue;
-  return kind == LoopKind::handle ? handle_green : tunnel_red;
-}
 
 struct MeshSize {
   std::uint64_t vertices = 0;

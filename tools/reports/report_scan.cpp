@@ -12,6 +12,7 @@
 #include "tools/reports/report_json.h"
 #include "tools/reports/report_table.h"
 #include "tools/runs/scan_run.h"
+#include "tools/words/json_text.h"
 #include "tools/words/number_text.h"
 #include "tools/words/sentence.h"
 #include "tools/words/text_rows.h"
@@ -76,17 +77,6 @@ Json proposer_json(const ScanRun& run) {
   return run.scan.by == ProposedBy::plateau ? "plateau" : "otsu";
 }
 
-template <class Items, class ToJson>
-void write_list(std::ostream& out, const char* name, const Items& items, const ToJson& to_json) {
-  out << ",\n  \"" << name << "\": [";
-  const char* separator = "\n    ";
-  for (const auto& item : items) {
-    out << separator << to_json(item).dump();
-    separator = ",\n    ";
-  }
-  out << (items.empty() ? "]" : "\n  ]");
-}
-
 }  // namespace
 
 void write_scan_table(std::ostream& out, const ScanRun& run) {
@@ -140,22 +130,23 @@ void write_scan_json(std::ostream& out, const ScanRun& run) {
   const Json conventions = {
       {"inside_rule", run.level.inside == InsideRule::above ? "above" : "below"},
       {"topology", topology_text(run.level.topology)}};
-  out << "{\n  \"schema\": \"isoloop/1\",\n  \"input\": "
-      << input.dump(-1, ' ', false, Json::error_handler_t::replace)
-      << ",\n  \"conventions\": " << conventions.dump();
+  out << "{\n  \"schema\": \"isoloop/1\",\n  \"input\": " << line_of(input);
+  write_member(out, "conventions", conventions);
   write_list(out, "scan", scan.rows, row_of);
   write_list(out, "plateaus", scan.plateaus,
              [&scan](const Plateau& plateau) { return plateau_of(scan, plateau); });
   const auto iso_at = [&](std::optional<std::size_t> row) {
-    return row ? Json(scan.rows[*row].iso).dump() : "null";
+    return row ? Json(scan.rows[*row].iso) : Json();
   };
-  out << ",\n  \"ignored_below\": " << scan.ignored_below
-      << ",\n  \"proposed_iso\": " << iso_at(scan.proposed)
-      << ",\n  \"proposed_by\": " << proposer_json(run).dump()
-      << ",\n  \"otsu_iso\": " << iso_at(scan.otsu)
-      << ",\n  \"valley_iso\": " << iso_at(scan.valley) << ",\n  \"seconds\": "
-      << Json{{"read", run.cost.read_seconds}, {"total", run.cost.total_seconds}}.dump()
-      << ",\n  \"peak_bytes\": " << run.cost.peak_bytes << "\n}\n";
+  write_member(out, "ignored_below", scan.ignored_below);
+  write_member(out, "proposed_iso", iso_at(scan.proposed));
+  write_member(out, "proposed_by", proposer_json(run));
+  write_member(out, "otsu_iso", iso_at(scan.otsu));
+  write_member(out, "valley_iso", iso_at(scan.valley));
+  write_member(out, "seconds",
+               {{"read", run.cost.read_seconds}, {"total", run.cost.total_seconds}});
+  write_member(out, "peak_bytes", run.cost.peak_bytes);
+  out << "\n}\n";
 }
 
 }  // namespace isoloop

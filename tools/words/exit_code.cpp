@@ -7,6 +7,7 @@
 
 #include "core/base/errors.h"
 #include "core/base/stage.h"
+#include "tools/words/json_text.h"
 #include "tools/words/sentence.h"
 
 namespace isoloop {
@@ -34,9 +35,9 @@ Failure failure_of(const std::exception_ptr& error, std::string_view command) {
 }
 
 std::string error_event(const Failure& failure) {
-  const nlohmann::ordered_json event = {
-      {"event", "error"}, {"code", static_cast<int>(failure.code)}, {"message", failure.sentence}};
-  return event.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  return line_of({{"event", "error"},
+                  {"code", static_cast<int>(failure.code)},
+                  {"message", failure.sentence}});
 }
 
 }  // namespace isoloop

@@ -52,7 +52,9 @@ std::vector<std::string> unique_names(const openvdb::GridPtrVec& grids) {
     const auto here = grids.begin() + static_cast<std::ptrdiff_t>(g);
     const bool shared = std::count_if(grids.begin(), grids.end(), same) > 1;
     const auto before = std::count_if(grids.begin(), here, same);
-    names.push_back(grids[g]->getName() + (shared ? "[" + std::to_string(before) + "]" : ""));
+    std::string name = grids[g]->getName();
+    if (shared) name.append("[").append(std::to_string(before)).append("]");
+    names.push_back(std::move(name));
   }
   return names;
 }

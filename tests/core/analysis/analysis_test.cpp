@@ -10,14 +10,14 @@
 #include "core/base/errors.h"
 #include "core/base/threads.h"
 #include "tests/oracles/random_volumes.h"
+#include "tests/samples/core_fixture.h"
 #include "tests/samples/real_data.h"
 
 namespace isoloop {
 namespace {
 
 using testing::SmallVolume;
-
-constexpr IsoLevel zero_level{0.0, InsideRule::above};
+using testing::zero_level;
 
 /// All that a report is made of, to the bit.
 std::string fingerprint(const Analysis& analysis) {

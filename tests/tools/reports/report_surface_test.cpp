@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <cstring>
-#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -13,21 +12,15 @@
 namespace isoloop {
 namespace {
 
-std::string written(const std::string& name, const LoopsRun& run) {
-  std::ostringstream out;
-  surface_report(name)(out, run);
-  return out.str();
-}
-
 TEST(ReportSurface, ObjHasVerticesAndFaces) {
-  const std::string obj = written("a.obj", torus_run());
+  const std::string obj = written(surface_report("a.obj"), torus_run());
   EXPECT_TRUE(obj.starts_with("# isoloop: frame world, spacing 0.5 0.5 0.5")) << obj;
   EXPECT_NE(obj.find("\nv 104.5 2.5 2.5\n"), std::string::npos) << obj;
   EXPECT_NE(obj.find("\nf 1 4 5\n"), std::string::npos) << obj;
 }
 
 TEST(ReportSurface, StlHasAHeadOf80BytesAnd50ForEachTriangle) {
-  const std::string stl = written("a.stl", torus_run());
+  const std::string stl = written(surface_report("a.stl"), torus_run());
   ASSERT_EQ(stl.size(), 84U + 18 * 50);
   EXPECT_TRUE(stl.starts_with("isoloop: frame world"));
   std::uint32_t count = 0;
@@ -39,13 +32,13 @@ TEST(ReportSurface, StlHasAHeadOf80BytesAnd50ForEachTriangle) {
 }
 
 TEST(ReportSurface, VtpSaysHowMuchItHolds) {
-  const std::string vtp = written("a.vtp", torus_run());
+  const std::string vtp = written(surface_report("a.vtp"), torus_run());
   EXPECT_NE(vtp.find("NumberOfPoints=\"9\" NumberOfPolys=\"18\""), std::string::npos);
   EXPECT_NE(vtp.find("<!-- isoloop: frame world"), std::string::npos);
 }
 
 TEST(ReportSurface, PlyHoldsNoTubes) {
-  const std::string ply = written("a.ply", torus_run());
+  const std::string ply = written(surface_report("a.ply"), torus_run());
   EXPECT_NE(ply.find("element vertex 9\n"), std::string::npos) << ply.substr(0, 500);
   EXPECT_NE(ply.find("element face 18\n"), std::string::npos);
 }
@@ -53,7 +46,7 @@ TEST(ReportSurface, PlyHoldsNoTubes) {
 TEST(ReportSurface, TurnsTrianglesOverWhereTheFrameMirrors) {
   LoopsRun run = torus_run();
   run.volume.direction[0] = {-1, 0, 0};
-  EXPECT_NE(written("a.obj", run).find("\nf 1 5 4\n"), std::string::npos);
+  EXPECT_NE(written(surface_report("a.obj"), run).find("\nf 1 5 4\n"), std::string::npos);
 }
 
 TEST(ReportSurface, OtherExtensionsAreRefused) {

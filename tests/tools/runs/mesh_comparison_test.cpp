@@ -3,15 +3,14 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/samples/contains.h"
 #include "tests/samples/sample_run.h"
 #include "tools/reports/report_json.h"
 
 namespace isoloop {
 namespace {
 
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+using test::contains;
 
 /// The torus, b0 1, b1 1, b2 0 by its voxels of length 0.5, as made from a mesh of these counts.
 LoopsRun run_of(const Betti& betti) {
@@ -33,8 +32,8 @@ TEST(MeshComparison, NamesBothCountsAndSmallerVoxels) {
       "components, 2 tunnels, 0 cavities: walls, gaps or sharp edges are finer than voxels of 0.5; "
       "try --voxel 0.25, half the present length, or --resolution auto");
   run.volume.mesh->gap = 0.125;
-  EXPECT_TRUE(holds(difference(run),
-                    "try --voxel 0.0625, half the least gap between two shells (0.125), or"))
+  EXPECT_TRUE(contains(difference(run),
+                       "try --voxel 0.0625, half the least gap between two shells (0.125), or"))
       << difference(run);
 }
 
@@ -93,7 +92,7 @@ TEST(MeshComparison, TextsSayWhatIsKnown) {
   MeshCounts mesh{.triangles = 36, .shells = 3, .betti = Betti{.b0 = 2, .b1 = 1, .b2 = 0}};
   EXPECT_EQ(mesh_text(mesh), "2 components, 1 tunnel, 0 cavities by its 36 triangles in 3 shells");
   mesh.swallowed = 1;
-  EXPECT_TRUE(holds(mesh_text(mesh), "(1 within the solid, so not counted)"));
+  EXPECT_TRUE(contains(mesh_text(mesh), "(1 within the solid, so not counted)"));
   EXPECT_EQ(mesh_text({.triangles = 36, .unknown = "it is open"}),
             "no counts of its own, because it is open");
 }

@@ -2,15 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/samples/contains.h"
+
 namespace isoloop {
 namespace {
 
+using test::contains;
+
 ValueRange range_of(const std::vector<double>& values) {
   return {values.front(), values.back(), values};
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 TEST(ValueHints, TwoValuesAreAMask) {

@@ -17,18 +17,14 @@ using test::contains;
 using test::mesh_bytes;
 using test::MeshFormat;
 using test::message_of;
+using test::parsed;
+using test::sample_box;
 using test::TempFolder;
 using test::write_bytes;
 
 constexpr std::array<MeshFormat, 7> all_formats{
     MeshFormat::stl_ascii, MeshFormat::stl_binary, MeshFormat::ply_ascii, MeshFormat::ply_little,
     MeshFormat::ply_big,   MeshFormat::obj,        MeshFormat::off};
-
-Mesh sample() { return box_mesh({-1.5, 0.25, 2}, {1, 10.75, 300}); }
-
-Mesh parse(const std::string& bytes, MeshFormat format) {
-  return parse_mesh(bytes, test::kind_of(format), "a.mesh");
-}
 
 /// The corners' coordinates, triangle by triangle.
 std::vector<Vec3> soup(const Mesh& mesh) {
@@ -41,8 +37,8 @@ std::vector<Vec3> soup(const Mesh& mesh) {
 
 TEST(MeshReader, ReadsOneMeshFromEachFormat) {
   for (const MeshFormat format : all_formats) {
-    const Mesh mesh = parse(mesh_bytes(sample(), format), format);
-    EXPECT_EQ(soup(mesh), soup(sample())) << static_cast<int>(format);
+    const Mesh mesh = parsed(mesh_bytes(sample_box(), format), format);
+    EXPECT_EQ(soup(mesh), soup(sample_box())) << static_cast<int>(format);
     EXPECT_EQ(closure_of(mesh).one_way_edges, 0U) << static_cast<int>(format);
   }
 }
@@ -61,18 +57,18 @@ bool is_whole_but_for_an_end(const std::string& whole, std::size_t length, MeshF
 
 TEST(MeshReader, RefusesAFileTruncatedAtAnyByte) {
   for (const MeshFormat format : all_formats) {
-    const std::string whole = mesh_bytes(sample(), format);
+    const std::string whole = mesh_bytes(sample_box(), format);
     for (std::size_t length = 0; length < whole.size(); ++length) {
       const std::string part = whole.substr(0, length);
       // An OBJ file states no counts: cut at the end of a line it is a mesh with a hole.
       const bool line_of_obj =
           format == MeshFormat::obj && part.ends_with('\n') && contains(part, "\nf ");
       if (line_of_obj) {
-        EXPECT_GT(closure_of(parse(part, format)).open_edges, 0U) << length;
+        EXPECT_GT(closure_of(parsed(part, format)).open_edges, 0U) << length;
       } else if (is_whole_but_for_an_end(whole, length, format)) {
-        EXPECT_EQ(soup(parse(part, format)), soup(sample())) << part.substr(length - 20);
+        EXPECT_EQ(soup(parsed(part, format)), soup(sample_box())) << part.substr(length - 20);
       } else {
-        EXPECT_THROW(parse(part, format), InvalidInput)
+        EXPECT_THROW(parsed(part, format), InvalidInput)
             << length << " of " << whole.size() << ", format " << static_cast<int>(format);
       }
     }
@@ -82,14 +78,14 @@ TEST(MeshReader, RefusesAFileTruncatedAtAnyByte) {
 TEST(MeshReader, RefusesWhatFollowsTheEnd) {
   for (const MeshFormat format : all_formats) {
     const std::string more = format == MeshFormat::obj ? "1 2 3\n" : "x\n";
-    EXPECT_THROW(parse(mesh_bytes(sample(), format) + more, format), InvalidInput)
+    EXPECT_THROW(parsed(mesh_bytes(sample_box(), format) + more, format), InvalidInput)
         << static_cast<int>(format);
   }
 }
 
 TEST(MeshReader, NamesLineOrByteOfWhatIsGarbled) {
   const auto expect = [](const std::string& bytes, MeshFormat format, const char* part) {
-    const std::string message = message_of<InvalidInput>([&] { parse(bytes, format); });
+    const std::string message = message_of<InvalidInput>([&] { parsed(bytes, format); });
     EXPECT_TRUE(contains(message, "a.mesh: ") && contains(message, part)) << message;
   };
   expect("OFF\n3 1 0\n0 0 0\n1 0 x7\n0 1 0\n3 0 1 2\n", MeshFormat::off, "line 4: 'x7'");
@@ -102,36 +98,37 @@ TEST(MeshReader, NamesLineOrByteOfWhatIsGarbled) {
   expect("v 0 0 0\nsurf 0 1 0 1 1\n", MeshFormat::obj, "line 2: free-form surfaces");
   expect("v 0 0 1e999\n", MeshFormat::obj, "line 1: '1e999'");
   expect("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n", MeshFormat::stl_ascii, "line 4");
-  std::string ply = mesh_bytes(sample(), MeshFormat::ply_little);
+  std::string ply = mesh_bytes(sample_box(), MeshFormat::ply_little);
   ply[ply.size() - 4] = 99;  // a corner
   expect(ply, MeshFormat::ply_little, "byte ");
-  std::string stl = mesh_bytes(sample(), MeshFormat::stl_binary);
+  std::string stl = mesh_bytes(sample_box(), MeshFormat::stl_binary);
   stl[84 + 12 + 3] = '\x7f';
   stl[84 + 12 + 2] = '\xc0';  // nan
   expect(stl, MeshFormat::stl_binary, "byte 96");
-  stl = mesh_bytes(sample(), MeshFormat::stl_binary);
+  stl = mesh_bytes(sample_box(), MeshFormat::stl_binary);
   expect(stl.substr(0, 500), MeshFormat::stl_binary, "the 12 triangles that it states take 684");
 }
 
 TEST(MeshReader, BelievesNoCountThatTheFileCannotHold) {
   const std::string many = "4000000000";
-  EXPECT_THROW(parse("OFF\n" + many + " 1 0\n0 0 0\n", MeshFormat::off), InvalidInput);
-  EXPECT_THROW(parse("OFF\n1 " + many + " 0\n0 0 0\n", MeshFormat::off), InvalidInput);
+  EXPECT_THROW(parsed("OFF\n" + many + " 1 0\n0 0 0\n", MeshFormat::off), InvalidInput);
+  EXPECT_THROW(parsed("OFF\n1 " + many + " 0\n0 0 0\n", MeshFormat::off), InvalidInput);
   for (const std::string format : {"ascii", "binary_little_endian"}) {
     const std::string head = "ply\nformat " + format + " 1.0\nelement vertex ";
     const std::string tail = "\nproperty float x\nproperty float y\nproperty float z\n";
     const std::string face = "element face 1\nproperty list uint int vertex_indices\nend_header\n";
-    EXPECT_THROW(parse(head + many + tail + face + "0 0 0\n", MeshFormat::ply_ascii), InvalidInput);
-    EXPECT_THROW(parse(head + "0" + tail + face + "4000000000 1 2 3\n", MeshFormat::ply_ascii),
+    EXPECT_THROW(parsed(head + many + tail + face + "0 0 0\n", MeshFormat::ply_ascii),
+                 InvalidInput);
+    EXPECT_THROW(parsed(head + "0" + tail + face + "4000000000 1 2 3\n", MeshFormat::ply_ascii),
                  InvalidInput);
   }
 }
 
 TEST(MeshReader, PolygonsBecomeFans) {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
-  const Mesh mesh = parse(points + "f -4/1 -3/2/3 3//1 4\n", MeshFormat::obj);
+  const Mesh mesh = parsed(points + "f -4/1 -3/2/3 3//1 4\n", MeshFormat::obj);
   EXPECT_EQ(mesh.triangles, (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {0, 2, 3}}));
-  const Mesh coloured = parse(
+  const Mesh coloured = parsed(
       "COFF\n4 1 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n1 1 0 1 0 0 1\n0 1 0 1 0 0 1\n"
       "4 0 1 2 3 255 0 0\n",
       MeshFormat::off);
@@ -140,20 +137,20 @@ TEST(MeshReader, PolygonsBecomeFans) {
 
 TEST(MeshReader, PointsOfEqualPlaceAreOne) {
   const Mesh mesh =
-      parse("v 0 0 0\nv 1 0 0\nv 0 1 0\nv -0.0 0 0\nf 1 2 3\nf 4 3 2\nf 1 4 2\n", MeshFormat::obj);
+      parsed("v 0 0 0\nv 1 0 0\nv 0 1 0\nv -0.0 0 0\nf 1 2 3\nf 4 3 2\nf 1 4 2\n", MeshFormat::obj);
   EXPECT_EQ(mesh.triangles, (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {0, 2, 1}}));
 }
 
 TEST(MeshReader, RefusesAMeshWithoutTriangles) {
   for (const std::string text : {"v 0 0 0\n", "v 0 0 0\nv 1 1 1\nf 1 2 2\n", "\n"}) {
     EXPECT_TRUE(
-        contains(message_of<InvalidInput>([&] { parse(text, MeshFormat::obj); }), "no triangle"));
+        contains(message_of<InvalidInput>([&] { parsed(text, MeshFormat::obj); }), "no triangle"));
   }
 }
 
 TEST(MeshReader, GoesByTheExtensionAndKeepsToItsLimit) {
   const TempFolder folder;
-  const std::string bytes = mesh_bytes(sample(), MeshFormat::off);
+  const std::string bytes = mesh_bytes(sample_box(), MeshFormat::off);
   write_bytes(folder / "a.OFF", bytes);
   EXPECT_TRUE(is_mesh(folder / "a.OFF"));
   EXPECT_FALSE(is_mesh(folder / "a.vdb"));

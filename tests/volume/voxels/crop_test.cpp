@@ -29,7 +29,7 @@ using test::message_of;
 using test::TempFolder;
 using test::write_bytes;
 
-constexpr Index3 dims{5, 4, 3};
+constexpr Index3 whole_dims{5, 4, 3};
 
 /// 0 to 59 of 16 bits, three frames of them.
 std::string voxels(Endian endian) {
@@ -41,7 +41,7 @@ std::string voxels(Endian endian) {
 Volume sample() {
   std::vector<std::int16_t> values(60);
   std::iota(values.begin(), values.end(), std::int16_t{0});
-  return {.values = values, .dims = dims, .spacing = {1, 2, 3}, .origin = {10, 20, 30}};
+  return {.values = values, .dims = whole_dims, .spacing = {1, 2, 3}, .origin = {10, 20, 30}};
 }
 
 const CropBox middle{CropRange{1, 4}, CropRange{2, {}}, CropRange{{}, 2}};
@@ -56,7 +56,7 @@ TEST(Crop, KeepsTheVoxelsOfTheBoxAndTheirPlaceInTheWorld) {
   EXPECT_EQ(to_world(part, {2, 1, 1}), to_world(whole, {3, 3, 1}));
   ASSERT_TRUE(part.part);
   EXPECT_EQ(part.part->first, (Index3{1, 2, 0}));
-  EXPECT_EQ(part.part->whole, dims);
+  EXPECT_EQ(part.part->whole, whole_dims);
   EXPECT_EQ(crop(whole, {}, "a").values, whole.values);
   Volume turned = whole;
   turned.direction = {Vec3{0, 1, 0}, Vec3{-1, 0, 0}, Vec3{0, 0, 1}};
@@ -115,7 +115,7 @@ TEST_F(CropOfFile, IsTheSameInEveryFormat) {
   for (const Endian endian : {Endian::little, Endian::big}) {
     const std::string frame = voxels(endian).substr(0, 120);
     write_bytes(folder_ / "a.raw", "head" + frame);
-    expect_same_part("a.raw", {.raw = {.dims = dims,
+    expect_same_part("a.raw", {.raw = {.dims = whole_dims,
                                        .type = VoxelType::int16,
                                        .endian = endian,
                                        .skip = 4,
