@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "core/base/memory_budget.h"
@@ -19,11 +20,19 @@ namespace isoloop {
 /// the order by size its killing pieces must be those of PAIR.
 enum class Engine { dual, pair };
 
+/// Loops of this length and more are found and proved, but not made short: whoever asks for short
+/// ones alone has them sooner. Unit of the spacing.
+struct ShortenBelow {
+  double handles = std::numeric_limits<double>::infinity();
+  double tunnels = std::numeric_limits<double>::infinity();
+};
+
 struct AnalysisOptions {
   Boundary boundary = Boundary::closed;
   GeodesicMode geodesic = GeodesicMode::hierarchy;
   Engine engine = Engine::dual;
-  Tighten tighten = Tighten::basis;           // not read with an open boundary
+  Tighten tighten = Tighten::basis;  // not read with an open boundary
+  ShortenBelow shorten_below{};
   PairOptions pair{};                         // read by the engine `pair` alone
   bool count_volume_triangles = false;        // fills Analysis::volume_triangles
   Progress progress{};                        // may be empty

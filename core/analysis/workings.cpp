@@ -166,11 +166,11 @@ std::uint64_t count_volume_triangles(const VoxelSides& sides, const EdgeIndex& e
 }
 
 SearchedLoops found_on(const Workings& workings, const WorkedSide& side,
-                       std::span<const std::uint32_t> closest) {
+                       std::span<const std::uint32_t> closest, double shorten_below) {
   const std::vector<Curve> starts = starts_near(*side.complex, side.pass.killing, closest);
-  return loops_of_side(
-      workings.analysis.surface, workings.classes,
-      {side.complex->side(), side.pass.killing, starts, side.borders, side.border_classes});
+  return loops_of_side(workings.analysis.surface, workings.classes,
+                       {side.complex->side(), side.pass.killing, starts, side.borders,
+                        side.border_classes, shorten_below});
 }
 
 std::vector<Loop> joined(std::vector<Loop> handles, std::vector<Loop> tunnels) {
@@ -183,12 +183,14 @@ struct LoopsAsFound {
   double slowest_seconds = 0.0;  // see StageSeconds
 };
 
-LoopsAsFound found_loops(const Workings& workings, Engine engine,
+LoopsAsFound found_loops(const Workings& workings, const AnalysisOptions& options,
                          std::span<const std::uint32_t> closest) {
   const Surface& surface = workings.analysis.surface;
-  if (engine == Engine::pair) return {loops_of_pairs(surface, workings.analysis.pairs)};
-  SearchedLoops inside = found_on(workings, workings.inside, closest);
-  SearchedLoops outside = found_on(workings, workings.outside, closest);
+  if (options.engine == Engine::pair) return {loops_of_pairs(surface, workings.analysis.pairs)};
+  SearchedLoops inside =
+      found_on(workings, workings.inside, closest, options.shorten_below.handles);
+  SearchedLoops outside =
+      found_on(workings, workings.outside, closest, options.shorten_below.tunnels);
   inside.seconds.insert(inside.seconds.end(), outside.seconds.begin(), outside.seconds.end());
   const bool open = surface.boundary == Boundary::open;
   return {open ? merged_by_size(std::move(inside.loops), std::move(outside.loops))
@@ -208,7 +210,7 @@ ProvedLoops proved_loops(const Workings& workings, const AnalysisOptions& option
                          std::span<const std::uint32_t> closest) {
   const Surface& surface = workings.analysis.surface;
   const SurfaceClasses& classes = workings.classes;
-  LoopsAsFound found = found_loops(workings, options.engine, closest);
+  LoopsAsFound found = found_loops(workings, options, closest);
   ProvedLoops proved;
   proved.slowest_seconds = found.slowest_seconds;
   proved.loops = certified(surface, classes, std::move(found.loops));
@@ -217,9 +219,12 @@ ProvedLoops proved_loops(const Workings& workings, const AnalysisOptions& option
                             workings.inside.border_classes};
     const SideLoops tunnels{loops_of_kind(proved.loops, LoopKind::tunnel),
                             workings.outside.border_classes};
-    ShortenedBasis short_handles = shorten_basis(surface, classes, handles, tunnels);
+    const ShortenBelow& limit = options.shorten_below;
+    ShortenedBasis short_handles =
+        shorten_basis(surface, classes, handles, tunnels, {.longest = limit.handles});
     ShortenedBasis short_tunnels =
-        shorten_basis(surface, classes, tunnels, {short_handles.loops, handles.border_classes});
+        shorten_basis(surface, classes, tunnels, {short_handles.loops, handles.border_classes},
+                      {.longest = limit.tunnels});
     proved.least_handle_length = short_handles.least_length;
     proved.least_tunnel_length = short_tunnels.least_length;
     proved.loops = certified(

@@ -85,7 +85,7 @@ class LoopFinder {
     std::vector<Curve> border = tightened_border(i, search);
     if (!near.gave_up) return border;
     look_for_loops_of(i, search);
-    const double bound = noticeable * length_of(surface_, border);
+    const double bound = std::min(noticeable * length_of(surface_, border), side_.shorten_below);
     const Attempt far = single_curve(i, {bound, 1, most_settled(border)}, search);
     if (far.curve) return {shortened(*far.curve, search)};
     return border;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -62,6 +63,7 @@ struct KilledOnSide {
   std::span<const std::vector<std::uint32_t>> starts;  // of each: starts_near()
   const KillingBorders& borders;
   const Z2Basis& border_classes;
+  double shorten_below = std::numeric_limits<double>::infinity();  // unit of the spacing
 };
 
 struct SearchedLoops {

@@ -52,6 +52,14 @@ bool is_short(const LoopSite& site, const RepairRequest& request) {
   return site.length < std::max(limit, request.either);
 }
 
+/// Loops that are asked for by their length need not be made short where they are longer.
+AnalysisOptions fitted_to(const RepairRequest& request, AnalysisOptions options) {
+  if (request.loops.empty() && !request.genus)
+    options.shorten_below = {.handles = std::max(request.cut_handles, request.either),
+                             .tunnels = std::max(request.fill_tunnels, request.either)};
+  return options;
+}
+
 /// What is left of the places where the loop runs, in the next analysis.
 void move_site(LoopSite& site, const Workings& before, const Workings& after) {
   const auto moved = [&](std::uint32_t vertex) {
@@ -159,7 +167,7 @@ class Repairer {
       : level_(level),
         request_(request),
         values_(grid),
-        options_(options),
+        options_(fitted_to(request, options)),
         now_(work_out_loops(grid, level, within(room_beside_voxels()))) {}
 
   Repair run() {
@@ -335,7 +343,7 @@ class Repairer {
   IsoLevel level_;
   const RepairRequest& request_;
   VoxelValues values_;
-  const AnalysisOptions& options_;
+  AnalysisOptions options_;
   Workings now_;
   std::vector<Target> named_;                // that are left
   std::vector<Target> put_off_;              // their removal spoiled others

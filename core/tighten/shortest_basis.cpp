@@ -96,11 +96,14 @@ std::vector<double> replaceable(const std::vector<BasisMember>& members,
 class Shortening {
  public:
   Shortening(Side side, const Surface& surface, const SurfaceClasses& classes,
-             std::vector<BasisMember> members, std::vector<Crossed> crossed, double effort)
+             std::vector<BasisMember> members, std::vector<Crossed> crossed,
+             const BasisEffort& effort)
       : exchange_(surface, classes, side, std::move(members)),
         crossed_(std::move(crossed)),
         batch_(std::max(least_batch, crossed_.size() / most_batches)),
-        left_(effort) {}
+        longest_(effort.longest),
+        left_(effort.settled +
+              effort.settled_per_vertex * static_cast<double>(surface.points.size())) {}
 
   void run() {
     for (int round = 0; round < most_rounds && left_ > 0.0; ++round)
@@ -157,7 +160,8 @@ class Shortening {
     // Ends: a search that may take all that is left is too far for any.
     for (std::uint64_t settled = least_settled; static_cast<double>(settled) <= left_;
          settled *= farther) {
-      const std::vector<double> longest = replaceable(exchange_.members(), crossed_);
+      std::vector<double> longest = replaceable(exchange_.members(), crossed_);
+      for (double& length : longest) length = std::min(length, longest_);
       std::vector<std::uint32_t> open;
       for (std::uint32_t j = 0; j < crossed_.size(); ++j)
         if (is_open[j] && longest[j] > crossed_[j].searched) open.push_back(j);
@@ -256,7 +260,8 @@ class Shortening {
       for (const Curve& curve : member.curves) {
         const std::size_t count = std::min(curve.size(), own_starts);
         for (std::size_t k = 0; k < count; ++k)
-          starts.push_back({curve[k * curve.size() / count], {member.length, 1}, {}});
+          starts.push_back(
+              {curve[k * curve.size() / count], {std::min(member.length, longest_), 1}, {}});
       }
     }
     for (std::size_t done = 0; done < starts.size() && left_ > 0.0; done += batch_)
@@ -284,7 +289,8 @@ class Shortening {
   BasisExchange exchange_;
   std::vector<Crossed> crossed_;
   std::size_t batch_;  // searches between two looks at the effort spent
-  double left_;        // of the effort
+  double longest_;     // loop looked for
+  double left_;        // paths, of the effort
 };
 
 }  // namespace
@@ -298,10 +304,8 @@ ShortenedBasis shorten_basis(const Surface& surface, const SurfaceClasses& class
   for (const Loop& loop : side.loops)
     members.push_back(
         {loop.curves, loop.length, loop.generators, static_cast<std::uint32_t>(members.size())});
-  Shortening shortening(
-      side_of(side.loops.front().kind), surface, classes, std::move(members),
-      crossed_by(surface, across),
-      effort.settled + effort.settled_per_vertex * static_cast<double>(surface.points.size()));
+  Shortening shortening(side_of(side.loops.front().kind), surface, classes, std::move(members),
+                        crossed_by(surface, across), effort);
   shortening.run();
   const std::vector<std::uint32_t> loop_of = match_loops(shortening.members(), side.border_classes);
   for (std::size_t m = 0; m < loop_of.size(); ++m) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -12,11 +13,12 @@
 
 namespace isoloop {
 
-/// Paths that the searches for one side's loops may settle: so many, and so many more for each
-/// vertex of M. A search that has begun is brought to its end.
 struct BasisEffort {
+  /// Paths that the searches for one side's loops may settle: so many, and so many more for each
+  /// vertex of M. A search that has begun is brought to its end.
   double settled = 3e5;
   double settled_per_vertex = 10.0;
+  double longest = std::numeric_limits<double>::infinity();  // loop looked for; unit of the spacing
 };
 
 /// All g loops of one kind, certified, and border_classes() of the side on which they bound.
