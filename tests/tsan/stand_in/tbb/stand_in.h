@@ -10,6 +10,7 @@
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <thread>
 #include <type_traits>
 #include <vector>
@@ -17,15 +18,15 @@
 namespace tbb {
 namespace stand_in {
 
-inline std::size_t allowed = 4;             // by global_control
-inline thread_local int arena_threads = 4;  // of the arena that this thread runs in
+inline std::atomic<std::size_t> allowed = 4;  // by global_control
+inline thread_local int arena_threads = 4;    // of the arena that this thread runs in
 inline thread_local int index_in_arena = 0;
 inline thread_local bool is_within_loop = false;
 
 /// Calls body(k) for k from 0 to count, itself not included, each on one of the threads.
 template <class Body>
 void run(std::size_t count, const Body& body) {
-  const auto threads = std::min({count, allowed, static_cast<std::size_t>(arena_threads)});
+  const auto threads = std::min({count, allowed.load(), static_cast<std::size_t>(arena_threads)});
   if (is_within_loop || threads < 2) {
     for (std::size_t k = 0; k < count; ++k) body(k);
     return;
@@ -134,19 +135,29 @@ void parallel_invoke(const First& first, const Second& second) {
   stand_in::run(2, [&](std::size_t k) { k == 0 ? first() : second(); });
 }
 
+/// Several at a time allow the least of their values, whatever threads they live on.
 class global_control {
  public:
   enum parameter { max_allowed_parallelism };
-  global_control(parameter, std::size_t value) : before_(stand_in::allowed) {
-    stand_in::allowed = value;
+  global_control(parameter, std::size_t value) {
+    const std::lock_guard lock(mutex_);
+    mine_ = values_.insert(value);
+    stand_in::allowed = *values_.begin();
   }
-  ~global_control() { stand_in::allowed = before_; }
+  ~global_control() {
+    const std::lock_guard lock(mutex_);
+    values_.erase(mine_);
+    stand_in::allowed = values_.empty() ? without_control_ : *values_.begin();
+  }
   global_control(const global_control&) = delete;
   global_control& operator=(const global_control&) = delete;
   static std::size_t active_value(parameter) { return stand_in::allowed; }
 
  private:
-  std::size_t before_;
+  static inline const std::size_t without_control_ = stand_in::allowed;
+  static inline std::mutex mutex_;
+  static inline std::multiset<std::size_t> values_;
+  std::multiset<std::size_t>::iterator mine_;
 };
 
 class task_arena {
