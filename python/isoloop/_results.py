@@ -158,12 +158,14 @@ class SurfaceCounts(Counts, Placed):
 class Plateau(NamedTuple):
     """Iso values from `least` to `most` between which all counts are the same.
 
-    `betti` has these counts, without what the scan sets aside.
+    `betti` has these counts, without what the scan sets aside; `voxels` change sides between the
+    two values.
     """
 
     least: float
     most: float
     width: float
+    voxels: int
     meaningful: bool
     betti: Betti
 
@@ -199,10 +201,13 @@ class Scan(Placed):
             None if run.proposed is None else float(self.rows["iso"][run.proposed])
         )
 
-    def _plateau(self, first: int, last: int, width: float, meaningful: bool) -> Plateau:
+    def _plateau(
+        self, first: int, last: int, width: float, voxels: int, meaningful: bool
+    ) -> Plateau:
         row = self.rows[first]
         betti = Betti(int(row["large_b0"]), int(row["large_b1"]), int(row["large_b2"]))
-        return Plateau(float(row["iso"]), float(self.rows["iso"][last]), width, meaningful, betti)
+        most = float(self.rows["iso"][last])
+        return Plateau(float(row["iso"]), most, width, voxels, meaningful, betti)
 
     def to_numpy(self) -> NDArray[Any]:
         """The rows."""

@@ -268,7 +268,8 @@ py::dict scan_columns(const ScanRun& run) {
 py::list plateaus_of(const ScanRun& run) {
   py::list rows;
   for (const Plateau& plateau : run.scan.plateaus)
-    rows.append(py::make_tuple(plateau.first, plateau.last, plateau.width, plateau.meaningful));
+    rows.append(py::make_tuple(plateau.first, plateau.last, plateau.width, plateau.voxels,
+                               plateau.meaningful));
   return rows;
 }
 

@@ -59,6 +59,7 @@ def test_plateaus_have_the_counts_of_the_json(ignore_below):
     scan = isoloop.scan(data("volumes/fuel_64x64x64_uint8.raw"), ignore_below=ignore_below)
     told = scan.to_dict()["plateaus"]
     assert [p.betti for p in scan.plateaus] == [(p["b0"], p["b1"], p["b2"]) for p in told]
+    assert [(p.width, p.voxels) for p in scan.plateaus] == [(p["width"], p["voxels"]) for p in told]
     assert [(p.least, p.most) for p in scan.plateaus] == [(p["from"], p["to"]) for p in told]
 
 

@@ -23,6 +23,18 @@ BenchPlan planned(Words words) {
   return plan_of(flags, app, 4);
 }
 
+/// By the errors that the command line turns into sentences.
+bool is_refused(const Words& words) {
+  try {
+    planned(words);
+  } catch (const CLI::ParseError&) {
+    return true;
+  } catch (const InvalidArgument&) {
+    return true;
+  }
+  return false;
+}
+
 TEST(BenchFlags, AskForAHandfulOfShapesByThemselves) {
   const BenchPlan plan = planned({});
   EXPECT_EQ(plan.cases.size(), 15U);  // five at 64, 128 and 256
@@ -58,7 +70,7 @@ TEST(BenchFlags, RefuseWhatMeansNothing) {
                                {"--threads", ""},         {"--shapes", "torus,donut"},
                                {"--shapes", "torus:3"},   {"--shapes", "lattice:x"},
                                {"--shapes", "lattice:0"}, {"--refine", "1"}};
-  for (const Words& words : all) EXPECT_ANY_THROW(planned(words)) << words.back();
+  for (const Words& words : all) EXPECT_TRUE(is_refused(words)) << words.back();
 }
 
 TEST(BenchFlags, ReadThreadsInOrderAndOnce) {

@@ -6,13 +6,17 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <condition_variable>
 #include <cstddef>
+#include <deque>
 #include <exception>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <set>
 #include <thread>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace tbb {
@@ -22,6 +26,55 @@ inline std::atomic<std::size_t> allowed = 4;  // by global_control
 inline thread_local int arena_threads = 4;    // of the arena that this thread runs in
 inline thread_local int index_in_arena = 0;
 inline thread_local bool is_within_loop = false;
+
+/// Threads that outlive their jobs: to start one takes far longer than most loops. Invariant: there
+/// is a thread for every job that is under way or waits.
+class Pool {
+ public:
+  Pool() = default;
+  ~Pool() {
+    {
+      const std::lock_guard lock(mutex_);
+      is_over_ = true;
+    }
+    wake_.notify_all();
+    for (std::thread& thread : threads_) thread.join();
+  }
+  Pool(const Pool&) = delete;
+  Pool& operator=(const Pool&) = delete;
+
+  void add(std::function<void()> job) {
+    const std::lock_guard lock(mutex_);
+    jobs_.push_back(std::move(job));
+    if (jobs_.size() > idle_) threads_.emplace_back([this] { serve(); });
+    wake_.notify_one();
+  }
+
+ private:
+  void serve() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+      ++idle_;
+      wake_.wait(lock, [this] { return is_over_ || !jobs_.empty(); });
+      --idle_;
+      if (jobs_.empty()) return;
+      const std::function<void()> job = std::move(jobs_.front());
+      jobs_.pop_front();
+      lock.unlock();
+      job();
+      lock.lock();
+    }
+  }
+
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  std::deque<std::function<void()>> jobs_;
+  std::vector<std::thread> threads_;
+  std::size_t idle_ = 0;
+  bool is_over_ = false;
+};
+
+inline Pool pool;
 
 /// Calls body(k) for k from 0 to count, itself not included, each on one of the threads.
 template <class Body>
@@ -34,6 +87,8 @@ void run(std::size_t count, const Body& body) {
   std::atomic<std::size_t> next = 0;
   std::exception_ptr thrown;
   std::mutex mutex;
+  std::condition_variable done;
+  std::size_t left = threads - 1;
   const int arena = arena_threads;
   const auto work = [&](int index) {
     arena_threads = arena;
@@ -47,13 +102,18 @@ void run(std::size_t count, const Body& body) {
       if (!thrown) thrown = std::current_exception();
     }
   };
-  std::vector<std::thread> others;
-  for (std::size_t t = 1; t < threads; ++t) others.emplace_back(work, static_cast<int>(t));
+  for (std::size_t t = 1; t < threads; ++t)
+    pool.add([&, t] {
+      work(static_cast<int>(t));
+      const std::lock_guard lock(mutex);
+      if (--left == 0) done.notify_one();
+    });
   const int own_index = index_in_arena;
   work(0);
   index_in_arena = own_index;
   is_within_loop = false;
-  for (std::thread& other : others) other.join();
+  std::unique_lock lock(mutex);
+  done.wait(lock, [&] { return left == 0; });
   if (thrown) std::rethrow_exception(thrown);
 }
 
