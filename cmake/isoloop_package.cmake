@@ -53,7 +53,7 @@ isoloop_debian(command isoloop science ""
   "tunnels and cavities, and draws a loop round every handle and tunnel of the"
   "iso-surface, which is proved to be one.")
 isoloop_debian(development libisoloop-dev libdevel
-  "libtbb-dev, libopenvdb-dev, libtiff-dev, libpng-dev, zlib1g-dev, libboost-dev"
+  "libtbb-dev, libopenvdb-dev, libtiff-dev, libpng-dev, zlib1g-dev, libboost-dev, libboost-iostreams-dev"
   "handles and tunnels of solids in volumes - static libraries and headers"
   "isoloop::core finds loops in spans of numbers, isoloop::volume reads and writes"
   "volumes. CMake finds them by find_package(isoloop), others by pkg-config.")
