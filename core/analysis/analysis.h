@@ -31,11 +31,11 @@ struct AnalysisOptions {
   Boundary boundary = Boundary::closed;
   GeodesicMode geodesic = GeodesicMode::hierarchy;
   Engine engine = Engine::dual;
-  Tighten tighten = Tighten::basis;  // not read with an open boundary
-  ShortenBelow shorten_below{};
-  PairOptions pair{};                         // read by the engine `pair` alone
-  bool count_volume_triangles = false;        // fills Analysis::volume_triangles
-  Progress progress{};                        // may be empty
+  Tighten tighten = Tighten::basis;     // not read with an open boundary
+  ShortenBelow shorten_below{};         // with an open boundary: by the side, inside as handles
+  PairOptions pair{};                   // read by the engine `pair` alone
+  bool count_volume_triangles = false;  // fills Analysis::volume_triangles
+  Progress progress{};                  // may be empty
   std::uint64_t max_bytes = unlimited_bytes;  // to hold beside the grid's voxels
 };
 

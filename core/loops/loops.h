@@ -63,7 +63,8 @@ struct KilledOnSide {
   std::span<const std::vector<std::uint32_t>> starts;  // of each: starts_near()
   const KillingBorders& borders;
   const Z2Basis& border_classes;
-  double shorten_below = std::numeric_limits<double>::infinity();  // unit of the spacing
+  /// Loops of this length and more are not looked for beyond their pieces; unit of the spacing.
+  double shorten_below = std::numeric_limits<double>::infinity();
 };
 
 struct SearchedLoops {

@@ -11,9 +11,9 @@ namespace isoloop {
 /// of this name.
 void check_written_format(const std::string& flag, const std::string& name);
 
-/// The same, unless a file of this name can hold the
-/// voxels as they are: a .raw file states their layout if
-/// it states any, NIfTI has room for them along each axis, and OpenVDB's floats are exact for them.
+/// The same, unless a file of this name can hold the voxels as they are: a .raw file states their
+/// layout if it states any, NIfTI has room for them along each axis, and OpenVDB's floats are exact
+/// for them.
 void check_written(const std::string& flag, const std::string& name, const Volume& volume);
 
 /// Throws LimitExceeded, in stage `stage`, where the writer of such files takes more than
