@@ -144,7 +144,7 @@ namespace stand_in {
 template <class Value>
 std::vector<blocked_range<Value>> parts_of(const blocked_range<Value>& range) {
   std::vector<blocked_range<Value>> parts;
-  const std::size_t length = std::max(range.grainsize(), range.size() / 16 + 1);
+  const std::size_t length = std::max(range.grainsize(), (range.size() + 15) / 16);
   for (Value at = range.begin(); at < range.end();) {
     const std::size_t left = static_cast<std::size_t>(range.end() - at);
     const auto end = static_cast<Value>(at + static_cast<Value>(std::min(length, left)));
