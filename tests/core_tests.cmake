@@ -10,6 +10,8 @@ isoloop_add_tests(isoloop_core_tests
     core/repair/change_effect_test.cpp
     core/repair/homology_map_test.cpp
     core/sizes/closest_test.cpp
+    core/sizes/point_tree_test.cpp
+    core/octree/ranked_bits_test.cpp
     core/cube/connectivity_test.cpp
     core/cube/cube_interior_test.cpp
     core/scan/blocks_test.cpp
@@ -26,6 +28,8 @@ isoloop_add_tests(isoloop_core_tests
     core/curves/geodesic_test.cpp
     core/complex/flat_complex_test.cpp
     core/complex/grid_complex_test.cpp
+    core/complex/octree_complex_test.cpp
+    core/octree/octree_test.cpp
     core/loops/killing_border_test.cpp
     core/z2/label_test.cpp
     core/grid/lattice_test.cpp
@@ -91,6 +95,7 @@ target_compile_definitions(isoloop_core_tests PRIVATE ISOLOOP_SOURCE="${PROJECT_
 #   cmake --build --preset release --target isoloop_slow_tests
 #   build/release/tests/isoloop_slow_tests
 add_executable(isoloop_slow_tests EXCLUDE_FROM_ALL
+  core/complex/octree_complex_slow_test.cpp
   core/engines/pair_slow_test.cpp
   core/repair/repair_slow_test.cpp
   core/scan/scan_slow_test.cpp

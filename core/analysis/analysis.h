@@ -31,6 +31,8 @@ struct AnalysisOptions {
   Boundary boundary = Boundary::closed;
   GeodesicMode geodesic = GeodesicMode::hierarchy;
   Engine engine = Engine::dual;
+  ComplexKind complex = ComplexKind::automatic;
+  int grading = 1;                      // of an octree, see graded_leaves(): 0 to 2
   Tighten tighten = Tighten::basis;     // not read with an open boundary
   ShortenBelow shorten_below{};         // with an open boundary: by the side, inside as handles
   PairOptions pair{};                   // read by the engine `pair` alone
@@ -52,6 +54,7 @@ struct StageSeconds {
 
 struct Analysis {
   Surface surface;
+  ComplexKind complex = ComplexKind::grid;  // grid or octree: that the loops were found with
   Betti betti;
   std::vector<Loop> loops;         // by kind, then by size; every one certified
   std::vector<SurfacePair> pairs;  // engine `pair`: what pair_simplices() returns

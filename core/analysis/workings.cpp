@@ -5,20 +5,24 @@
 #include <iterator>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
+#include <variant>
 
+#include "core/analysis/room.h"
 #include "core/base/errors.h"
 #include "core/base/run_both.h"
 #include "core/base/stage.h"
 #include "core/base/threads.h"
 #include "core/complex/grid_complex.h"
 #include "core/complex/grid_sizes.h"
+#include "core/complex/octree_sizes.h"
 #include "core/cube/voxel_sides.h"
 #include "core/engines/dual_pass.h"
-#include "core/engines/spanning_forest.h"
 #include "core/loops/certificate.h"
 #include "core/loops/killing_border.h"
 #include "core/loops/pair_loops.h"
+#include "core/octree/leaves.h"
 #include "core/sizes/closest.h"
 #include "core/surface/edge_index.h"
 #include "core/tighten/shortest_basis.h"
@@ -67,56 +71,32 @@ Cut cut_volume(const AnyGridView& grid, const IsoLevel& level, const AnalysisOpt
   return cut;
 }
 
-/// What the memory has room for. Each of these throws LimitExceeded, naming the stage, if not for
-/// the least.
-class Room {
- public:
-  Room(const Lattice& lattice, std::uint64_t vertices, std::uint64_t limit)
-      : lattice_(lattice.vertex_count()),
-        layers_(lattice.dims[2] + 1),
-        vertices_(vertices),
-        limit_(limit) {}
+/// Sizes of the edges of the complex at hand.
+using AnySizes = std::variant<EdgeSizes, OctreeEdgeSizes>;
 
-  void check_closest() const {
-    check_memory("closest", closest_bytes(lattice_, vertices_), limit_);
-  }
+std::uint64_t bytes_of(const EdgeSizes& sizes) { return sizes.by_edge.bytes(); }
+std::uint64_t bytes_of(const OctreeEdgeSizes& sizes) { return sizes.bytes(); }
 
-  /// Threads at a time.
-  int size_searches() const {
-    return threads_within("sizes", sizes_bytes(lattice_, vertices_), size_search_bytes(vertices_),
-                          limit_, thread_count());
-  }
-  int loop_searches() const {
-    return threads_within("loops", loops_bytes(lattice_, vertices_), loop_search_bytes(vertices_),
-                          limit_, thread_count());
-  }
-
-  struct Passes {
-    int threads = 1;
-    bool both_sides_at_once = false;
-  };
-  Passes passes(std::uint64_t sizes) const {
-    const auto needed = [&](std::size_t threads, std::uint64_t sides) {
-      return pass_bytes(lattice_, vertices_, sizes, sides) + slab_bytes(lattice_, layers_, threads);
-    };
-    std::size_t threads = thread_count();
-    while (threads > 1 && needed(threads, 1) > limit_) --threads;
-    check_memory("pass", needed(threads, 1), limit_);
-    return {static_cast<int>(threads), needed(threads, 2) <= limit_};
-  }
-
- private:
-  std::uint64_t lattice_;   // vertices
-  std::uint32_t layers_;    // of pieces
-  std::uint64_t vertices_;  // of M
-  std::uint64_t limit_;     // bytes
-};
+/// A side's complex and the sizes of its pieces and edges.
+const GridComplex& complex_of(const WorkedSide& side, const EdgeSizes&) { return *side.complex; }
+const OctreeComplex& complex_of(const WorkedSide& side, const OctreeEdgeSizes&) {
+  return *side.octree;
+}
+GridSizes sizes_on(const Workings& workings, const WorkedSide& side, const EdgeSizes& sizes) {
+  return {*side.complex, *workings.edges, sizes};
+}
+OctreeSizes sizes_on(const Workings& workings, const WorkedSide& side,
+                     const OctreeEdgeSizes& sizes) {
+  return {*side.octree, *workings.edges, sizes};
+}
 
 /// Runs the dual pass on both sides; `at_once`: at a time, which takes the memory of two.
-void run_passes(const Surface& surface, const EdgeSizes& sizes, Workings& workings, bool at_once) {
+template <class Sizes>
+void run_passes(const Surface& surface, const Sizes& sizes, Workings& workings, bool at_once) {
   const auto solve = [&](WorkedSide& side, const char* name) {
-    side.pass = dual_pass(*side.complex, GridSizes(*side.complex, *workings.edges, sizes));
-    if (!labels_are_consistent(*side.complex, side.pass))
+    const auto& complex = complex_of(side, sizes);
+    side.pass = dual_pass(complex, sizes_on(workings, side, sizes));
+    if (!labels_are_consistent(complex, side.pass))
       throw SelfCheckFailed(std::string("the labels ") + name +
                             " do not sum to zero round an edge");
   };
@@ -154,20 +134,29 @@ void check_engines_agree(const std::vector<SurfacePair>& pairs, const Workings& 
 
 /// A side with the borders of the surfaces that its labels span, and their classes.
 WorkedSide with_borders(const Surface& surface, const SurfaceClasses& classes, WorkedSide side) {
-  side.borders = killing_borders(*side.complex, side.pass);
+  side.borders = side.octree ? killing_borders(*side.octree, side.pass)
+                             : killing_borders(*side.complex, side.pass);
   const Side seen_from = side_of(kind_on(surface.boundary, side.complex->side()));
   side.border_classes = border_classes(surface, classes, seen_from, side.borders);
   return side;
 }
 
-std::uint64_t count_volume_triangles(const VoxelSides& sides, const EdgeIndex& edges) {
-  return fan_triangle_count(GridComplex(sides, edges, Side::inside)) +
-         fan_triangle_count(GridComplex(sides, edges, Side::outside));
+/// Of K off M, on both sides.
+std::uint64_t count_volume_triangles(const Workings& workings) {
+  const auto count = [](const WorkedSide& side) {
+    return side.octree ? fan_triangle_count(*side.octree) : fan_triangle_count(*side.complex);
+  };
+  return count(workings.inside) + count(workings.outside);
 }
 
 SearchedLoops found_on(const Workings& workings, const WorkedSide& side,
                        std::span<const std::uint32_t> closest, double shorten_below) {
-  const std::vector<Curve> starts = starts_near(*side.complex, side.pass.killing, closest);
+  const auto starts_on = [&](const auto& complex) {
+    return starts_near(complex, side.pass.killing,
+                       [&](std::uint32_t corner) { return closest[workings.vertex_at(corner)]; });
+  };
+  const std::vector<Curve> starts =
+      side.octree ? starts_on(*side.octree) : starts_on(*side.complex);
   return loops_of_side(workings.analysis.surface, workings.classes,
                        {side.complex->side(), side.pass.killing, starts, side.borders,
                         side.border_classes, shorten_below});
@@ -248,20 +237,51 @@ Workings cut_workings(StageClock& clock, const AnyGridView& grid, const IsoLevel
     return std::move(cut.surface);
   });
   analysis.betti = betti_numbers(analysis.surface);
-  if (options.count_volume_triangles && !workings.sides->empty())
-    analysis.volume_triangles = count_volume_triangles(*workings.sides, *workings.edges);
   return workings;
 }
 
+/// An octree pays where it has less than one in so many of the grid's cells: each takes longer
+/// than one of the grid does (docs/octree.md).
+constexpr std::uint64_t paying_share = 5;
+
+/// Makes the complexes that the options ask for.
+void choose_complex(const AnalysisOptions& options, Workings& workings) {
+  const VoxelSides& sides = *workings.sides;
+  for (WorkedSide* side : {&workings.inside, &workings.outside})
+    side->complex = std::make_unique<GridComplex>(
+        sides, *workings.edges, side == &workings.inside ? Side::inside : Side::outside);
+  if (options.complex == ComplexKind::grid) return;
+  const Leaves leaves = graded_leaves(sides, workings.analysis.surface.spacing, options.grading);
+  const auto& [nx, ny, nz] = leaves.cubes;
+  if (options.complex == ComplexKind::automatic &&
+      paying_share * leaf_count(leaves) >= std::uint64_t{nx} * ny * nz)
+    return;
+  workings.octree = std::make_unique<const Octree>(sides, leaves);
+  for (WorkedSide* side : {&workings.inside, &workings.outside})
+    side->octree = std::make_unique<OctreeComplex>(*workings.octree, *side->complex);
+  workings.analysis.complex = ComplexKind::octree;
+}
+
+/// The vertices of M closest to those of the complex.
+UnsetVector<std::uint32_t> closest_to_vertices(const Workings& workings) {
+  const Surface& surface = workings.analysis.surface;
+  return workings.octree ? closest_surface_vertices(*workings.octree, surface)
+                         : closest_surface_vertices(*workings.sides, *workings.edges, surface);
+}
+
+AnySizes edge_sizes(const Workings& workings, std::span<const std::uint32_t> closest,
+                    GeodesicMode mode) {
+  const Surface& surface = workings.analysis.surface;
+  if (workings.octree)
+    return octree_edge_sizes(*workings.octree, *workings.edges, surface, closest, mode);
+  return geodesic_sizes(*workings.sides, *workings.edges, surface, closest, mode);
+}
+
 /// The passes of both sides, and the pairs if they are asked for.
-void run_engines(StageClock& clock, const EdgeSizes& sizes, const Room::Passes& passes,
+template <class Sizes>
+void run_engines(StageClock& clock, const Sizes& sizes, const Room::Passes& passes,
                  const AnalysisOptions& options, Workings& workings) {
   Analysis& analysis = workings.analysis;
-  const auto complex_of = [&](Side side) {
-    return std::make_unique<GridComplex>(*workings.sides, *workings.edges, side);
-  };
-  workings.inside.complex = complex_of(Side::inside);
-  workings.outside.complex = complex_of(Side::outside);
   clock.run("pass", 0.5, analysis.seconds.pass, [&] {
     with_threads(passes.threads,
                  [&] { run_passes(analysis.surface, sizes, workings, passes.both_sides_at_once); });
@@ -269,14 +289,24 @@ void run_engines(StageClock& clock, const EdgeSizes& sizes, const Room::Passes& 
   });
   if (options.engine != Engine::pair) return;
   analysis.pairs = clock.run("pair", 0.7, analysis.seconds.pair, [&] {
-    const GridComplex& inside = *workings.inside.complex;
-    const GridComplex& outside = *workings.outside.complex;
     std::vector<SurfacePair> pairs = pair_simplices(
-        analysis.surface, SizedSide{inside, GridSizes(inside, *workings.edges, sizes)},
-        SizedSide{outside, GridSizes(outside, *workings.edges, sizes)}, options.pair);
+        analysis.surface,
+        SizedSide{complex_of(workings.inside, sizes), sizes_on(workings, workings.inside, sizes)},
+        SizedSide{complex_of(workings.outside, sizes), sizes_on(workings, workings.outside, sizes)},
+        options.pair);
     if (orders_by_size(options.pair.refinement)) check_engines_agree(pairs, workings);
     return pairs;
   });
+}
+
+/// The classes of M's edges, from the labels of both sides.
+SurfaceClasses classes_of(const Surface& surface, const Workings& workings) {
+  const auto& [inside, outside] = std::tie(workings.inside, workings.outside);
+  if (surface.boundary == Boundary::open) return surface_classes(surface);
+  return workings.octree
+             ? surface_classes(surface, *inside.octree, inside.pass, *outside.octree, outside.pass)
+             : surface_classes(surface, *inside.complex, inside.pass, *outside.complex,
+                               outside.pass);
 }
 
 /// The classes, the borders and from them the loops; `searches`: threads at a time.
@@ -287,10 +317,7 @@ void prove_loops(StageClock& clock, std::span<const std::uint32_t> closest, int 
   WorkedSide& inside = workings.inside;
   WorkedSide& outside = workings.outside;
   ProvedLoops proved = clock.run("loops", 0.8, analysis.seconds.loops, [&] {
-    workings.classes = surface.boundary == Boundary::open
-                           ? surface_classes(surface)
-                           : surface_classes(surface, *inside.complex, inside.pass,
-                                             *outside.complex, outside.pass);
+    workings.classes = classes_of(surface, workings);
     inside = with_borders(surface, workings.classes, std::move(inside));
     outside = with_borders(surface, workings.classes, std::move(outside));
     return with_threads(searches, [&] { return proved_loops(workings, options, closest); });
@@ -322,25 +349,27 @@ Workings work_out_loops(const AnyGridView& grid, const IsoLevel& level,
   StageClock clock(options.progress);
   Workings workings = cut_workings(clock, grid, level, options);
   const Surface& surface = workings.analysis.surface;
+  if (surface.betti1() != 0 || (options.count_volume_triangles && !workings.sides->empty()))
+    choose_complex(options, workings);
+  if (options.count_volume_triangles && !workings.sides->empty())
+    workings.analysis.volume_triangles = count_volume_triangles(workings);
   if (surface.betti1() == 0) return workings;
   StageSeconds& seconds = workings.analysis.seconds;
-  const VoxelSides& sides = *workings.sides;
-  const EdgeIndex& edges = *workings.edges;
-  const Room room(sides.lattice, surface.points.size(), options.max_bytes);
+  const Room room(workings, options.max_bytes);
   room.check_closest();
-  const UnsetVector<std::uint32_t> closest = clock.run("closest", 0.05, seconds.closest, [&] {
-    return closest_surface_vertices(sides, edges, surface);
-  });
+  const UnsetVector<std::uint32_t> closest =
+      clock.run("closest", 0.05, seconds.closest, [&] { return closest_to_vertices(workings); });
   const int size_searches = room.size_searches();
   auto sizes = clock.run("sizes", 0.1, seconds.sizes, [&] {
     return with_threads(size_searches, [&] {
-      return std::make_unique<EdgeSizes>(
-          geodesic_sizes(sides, edges, surface, closest, options.geodesic));
+      return std::make_unique<AnySizes>(edge_sizes(workings, closest, options.geodesic));
     });
   });
-  const Room::Passes passes = room.passes(sizes->by_edge.bytes());
+  const Room::Passes passes =
+      room.passes(std::visit([](const auto& of_edges) { return bytes_of(of_edges); }, *sizes));
   const int loop_searches = room.loop_searches();  // refused before the pass, which takes longest
-  run_engines(clock, *sizes, passes, options, workings);
+  std::visit([&](const auto& of_edges) { run_engines(clock, of_edges, passes, options, workings); },
+             *sizes);
   sizes.reset();
   prove_loops(clock, closest, loop_searches, options, workings);
   return workings;

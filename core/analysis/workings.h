@@ -5,10 +5,12 @@
 
 #include "core/analysis/analysis.h"
 #include "core/complex/grid_complex.h"
+#include "core/complex/octree_complex.h"
 #include "core/cube/voxel_sides.h"
 #include "core/engines/dual_pass.h"
 #include "core/loops/certificate.h"
 #include "core/loops/killing_border.h"
+#include "core/octree/octree.h"
 #include "core/surface/edge_index.h"
 #include "core/z2/z2_basis.h"
 
@@ -18,6 +20,7 @@ namespace isoloop {
 /// classes, which say what each loop closes.
 struct WorkedSide {
   std::unique_ptr<GridComplex> complex;
+  std::unique_ptr<OctreeComplex> octree;  // where the pass ran on one: its numbers are those of it
   DualPass pass;
   KillingBorders borders;
   Z2Basis border_classes;
@@ -28,10 +31,16 @@ struct WorkedSide {
 struct Workings {
   std::unique_ptr<const VoxelSides> sides;
   std::unique_ptr<const EdgeIndex> edges;
+  std::unique_ptr<const Octree> octree;  // or none
   WorkedSide inside;
   WorkedSide outside;
   SurfaceClasses classes;
   Analysis analysis;
+
+  /// The number of a grid vertex among those of the complex.
+  std::uint32_t vertex_at(std::uint32_t grid_vertex) const {
+    return octree ? octree->vertex_at(grid_vertex) : grid_vertex;
+  }
 
   const WorkedSide& on(Side side) const { return side == Side::inside ? inside : outside; }
 };

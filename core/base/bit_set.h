@@ -24,6 +24,13 @@ class BitSet {
     word.fetch_or(std::uint64_t{1} << (number % 64), std::memory_order_relaxed);
   }
 
+  /// insert_shared(); true for one of the calls that insert a number.
+  bool insert_first(std::uint32_t number) {
+    const std::uint64_t bit = std::uint64_t{1} << (number % 64);
+    const std::atomic_ref word(words_[number / 64]);
+    return (word.fetch_or(bit, std::memory_order_relaxed) & bit) == 0;
+  }
+
   /// Calls visit(number) for every number from `begin`, a multiple of 64, up to `end`, itself not
   /// included, that is not in the set, ascending.
   template <class Visit>

@@ -36,7 +36,10 @@ int threads_within(const char* stage, std::uint64_t shared, std::uint64_t each, 
 // What one stage leaves to the next: for each lattice vertex 2.5 bytes of sides, 4 of closest
 // vertices and at most 12.5 of sizes; for each vertex of M about 110 bytes of M and its graph. A
 // pass takes 6 bytes more for each lattice vertex and side, for its trees and their open pieces.
-// Searches for loops can seldom use the memory that the pass gives back, so it counts as held.
+// Searches for loops can seldom use the memory that the pass gives back, so it counts as held. An
+// octree takes two bits of each lattice vertex and 8 bytes of each of its own, 4 of closest
+// vertices and at most 18 of sizes; a pass takes 28 bytes more for each and side, 24 of them to
+// count pieces round edges.
 
 std::uint64_t surface_bytes(std::uint64_t lattice, std::uint64_t surface) {
   return 5 * lattice / 2 + 170 * surface;
@@ -46,20 +49,28 @@ std::uint64_t bare_surface_bytes(std::uint64_t lattice, std::uint64_t surface) {
   return 5 * lattice / 2 + 75 * surface;
 }
 
-std::uint64_t closest_bytes(std::uint64_t lattice, std::uint64_t surface) {
-  return 21 * lattice / 2 + 110 * surface;  // a field of 8
+std::uint64_t closest_bytes(const Extent& extent) {
+  const auto& [lattice, surface, octree] = extent;
+  if (octree != 0) return 11 * lattice / 4 + 12 * octree + 115 * surface;  // a tree of boxes
+  return 21 * lattice / 2 + 110 * surface;                                 // a field of 8
 }
 
-std::uint64_t sizes_bytes(std::uint64_t lattice, std::uint64_t surface) {
+std::uint64_t sizes_bytes(const Extent& extent) {
+  const auto& [lattice, surface, octree] = extent;
+  if (octree != 0) return 11 * lattice / 4 + 30 * octree + 192 * surface;
   return 19 * lattice + 192 * surface;
 }
 
-std::uint64_t pass_bytes(std::uint64_t lattice, std::uint64_t surface, std::uint64_t sizes,
-                         std::uint64_t sides_at_once) {
-  return (13 + 12 * sides_at_once) * lattice / 2 + 130 * surface + sizes;
+std::uint64_t pass_bytes(const Extent& extent, std::uint64_t sizes, std::uint64_t sides_at_once) {
+  const auto& [lattice, surface, octree] = extent;
+  const std::uint64_t held = 130 * surface + sizes;
+  if (octree != 0) return 11 * lattice / 4 + (12 + 28 * sides_at_once) * octree + held;
+  return (13 + 12 * sides_at_once) * lattice / 2 + held;
 }
 
-std::uint64_t loops_bytes(std::uint64_t lattice, std::uint64_t surface) {
+std::uint64_t loops_bytes(const Extent& extent) {
+  const auto& [lattice, surface, octree] = extent;
+  if (octree != 0) return 11 * lattice / 4 + 14 * octree + 174 * surface;
   return 17 * lattice + 174 * surface;
 }
 

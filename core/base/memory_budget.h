@@ -20,16 +20,24 @@ void check_memory(const char* stage, std::uint64_t needed, std::uint64_t limit);
 int threads_within(const char* stage, std::uint64_t shared, std::uint64_t each, std::uint64_t limit,
                    std::size_t threads);
 
-/// Bytes that the pipeline holds at most during each stage, the grid's voxels not among them, for
-/// `lattice` vertices of the box round the solid, `surface` vertices of M and `sizes` bytes of
-/// sizes: fitted to peaks that were measured on thick parts, thin vessels and lattices of tubes.
+/// What a pipeline takes depends on: vertices of the box round the solid, of M, and of the octree
+/// if there is one.
+struct Extent {
+  std::uint64_t lattice = 0;
+  std::uint64_t surface = 0;
+  std::uint64_t octree = 0;
+};
+
+/// Bytes that the pipeline holds at most during each stage, the grid's voxels not among them, with
+/// `sizes` bytes of sizes: fitted to peaks that were measured on thick parts, thin vessels and
+/// lattices of tubes.
 std::uint64_t surface_bytes(std::uint64_t lattice, std::uint64_t surface);
 std::uint64_t bare_surface_bytes(std::uint64_t lattice, std::uint64_t surface);  // no edge graph
-std::uint64_t closest_bytes(std::uint64_t lattice, std::uint64_t surface);
-std::uint64_t sizes_bytes(std::uint64_t lattice, std::uint64_t surface);  // but for searches
-std::uint64_t pass_bytes(std::uint64_t lattice, std::uint64_t surface, std::uint64_t sizes,
+std::uint64_t closest_bytes(const Extent& extent);
+std::uint64_t sizes_bytes(const Extent& extent);  // but for searches
+std::uint64_t pass_bytes(const Extent& extent, std::uint64_t sizes,
                          std::uint64_t sides_at_once);  // but for the slabs of largest_forest()
-std::uint64_t loops_bytes(std::uint64_t lattice, std::uint64_t surface);  // but for searches
+std::uint64_t loops_bytes(const Extent& extent);        // but for searches
 
 /// Bytes that an analysis holds once it is made.
 std::uint64_t held_bytes(std::uint64_t lattice, std::uint64_t surface);

@@ -76,6 +76,8 @@ class GridComplex {
   InplaceVector<std::uint32_t, 8> ring(std::uint32_t edge) const;  // in cyclic order
 
   CutRing cut_ring(std::uint32_t edge) const;
+  /// The walls round an interior edge, as CutRing has them.
+  std::array<std::uint32_t, 4> walls_at(std::uint32_t edge) const;
   std::vector<BeyondWall> beyond_walls() const;
   InplaceVector<std::array<std::uint32_t, 2>, 2> segments(std::uint32_t piece) const;
 
@@ -119,7 +121,6 @@ class GridComplex {
     return !has_wall_edge_.empty() && has_wall_edge_[vertex];
   }
   std::array<std::uint32_t, 4> face_pieces(std::uint32_t edge) const;
-  std::array<std::uint32_t, 4> walls_at(std::uint32_t edge) const;
   std::array<std::uint32_t, 4> face_corners(std::uint32_t face) const;
   unsigned corners_on_side(std::uint32_t face) const;
   bool is_split(std::uint32_t face, unsigned on_side) const;

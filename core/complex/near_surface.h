@@ -49,13 +49,19 @@ concept BesideSurface = Complex<C> && requires(const C& complex, std::uint32_t e
   { complex.beyond_walls() } -> std::same_as<std::vector<BeyondWall>>;
 };
 
+/// Where a piece lies in the grid.
+template <class C>
+concept HasCorners = requires(const C& complex, std::uint32_t piece) {
+  /// The grid vertices at the piece's corners.
+  { complex.corners(piece) } -> ListOf<std::uint32_t>;
+};
+
 /// Where voxels, grid vertices on this side, lie among cells and pieces: what membranes ask.
 template <class C>
-concept HoldsVoxels = requires(const C& complex, std::uint32_t number, std::uint32_t corner) {
+concept HoldsVoxels = HasCorners<C> &&
+    requires(const C& complex, std::uint32_t number, std::uint32_t corner) {
   complex.side();
   { complex.cell_bound() } -> std::convertible_to<std::uint32_t>;
-  /// The grid vertices at the piece's corners.
-  { complex.corners(number) } -> ListOf<std::uint32_t>;
   /// The piece of the grid's face, and the cell of its cube, at one of their corners.
   { complex.piece_at(number, corner) } -> std::same_as<std::uint32_t>;
   { complex.cell_at(number, corner) } -> std::same_as<std::uint32_t>;

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <atomic>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "core/complex/flat_complex.h"
 #include "core/complex/grid_complex.h"
 #include "core/complex/grid_sizes.h"
+#include "core/complex/octree_complex.h"
+#include "core/complex/octree_sizes.h"
 #include "core/complex/order.h"
+#include "core/engines/counted_rings.h"
 #include "core/engines/spanning_forest.h"
 #include "core/engines/zero_labels.h"
 #include "core/z2/z2_basis.h"
@@ -16,19 +20,87 @@
 namespace isoloop {
 namespace {
 
+/// What is there round an edge: the sum of the labels that are known, an unknown piece, and how
+/// many are unknown.
+struct RingState {
+  std::uint32_t sum = 0;
+  std::uint32_t last = 0;
+  std::uint32_t unknown = 0;
+};
+
+/// Which pieces have labels, and what is there round an edge, by walking its ring.
+class WalkedRings {
+ public:
+  WalkedRings(const GridComplex& complex, const BitSet& forest)
+      : complex_(complex), known_(zero_labels(complex, forest)) {}
+
+  const BitSet& known() const { return known_; }
+
+  void set_known(std::uint32_t piece, std::uint32_t /*label*/, LabelPool& /*pool*/) {
+    known_.insert(piece);
+  }
+
+  RingState at(std::uint32_t edge, const SparseLabels& labels, LabelPool& pool) const {
+    RingState state;
+    for (const std::uint32_t piece : complex_.ring(edge)) {
+      if (known_[piece]) {
+        state.sum = pool.sum(state.sum, labels[piece]);
+      } else {
+        state.last = piece;
+        ++state.unknown;
+      }
+    }
+    return state;
+  }
+
+ private:
+  const GridComplex& complex_;
+  BitSet known_;
+};
+
+/// The same by counting, with a sum kept for each edge that has one.
+template <Complex C>
+class SummedRings {
+ public:
+  SummedRings(const C& complex, BitSet forest)
+      : complex_(complex), rings_(complex, std::move(forest)), sums_(complex.edge_bound()) {}
+
+  const BitSet& known() const { return rings_.known(); }
+
+  void set_known(std::uint32_t piece, std::uint32_t label, LabelPool& pool) {
+    rings_.set_known(piece);
+    if (label == 0) return;
+    for (const std::uint32_t edge : complex_.edges_of(piece))
+      sums_.set(edge, pool.sum(sums_[edge], label));
+  }
+
+  RingState at(std::uint32_t edge, const SparseLabels& /*labels*/, LabelPool& /*pool*/) const {
+    return {sums_[edge], rings_.unknown_at(edge), rings_.unknown_round(edge)};
+  }
+
+ private:
+  const C& complex_;
+  CountedRings<C> rings_;
+  SparseLabels sums_;  // of the labels that are known, by edge
+};
+
+/// A grid has bit planes for its zero labels, and rings that are found faster than counted.
+template <Complex C>
+using Rings = std::conditional_t<std::is_same_v<C, GridComplex>, WalkedRings, SummedRings<C>>;
+
 /// Labels pieces; whenever all but one piece of a ring are labelled, the last one follows.
 template <Complex C>
 class Propagation {
  public:
-  /// Pieces in `known` have label 0.
-  Propagation(const C& complex, BitSet known)
-      : labels(complex.piece_bound()), complex_(complex), known_(std::move(known)) {}
+  /// Pieces in `forest`, and all that follow, have label 0.
+  Propagation(const C& complex, BitSet forest)
+      : labels(complex.piece_bound()), complex_(complex), rings_(complex, std::move(forest)) {}
 
-  const BitSet& known() const { return known_; }
+  const BitSet& known() const { return rings_.known(); }
 
   void assign(std::uint32_t piece, std::uint32_t label) {
-    known_.insert(piece);
     if (label != 0) labels.set(piece, label);
+    rings_.set_known(piece, label, pool);
     for (const std::uint32_t edge : complex_.edges_of(piece)) todo_.push_back(edge);
   }
 
@@ -38,21 +110,11 @@ class Propagation {
     while (!todo_.empty()) {
       const std::uint32_t edge = todo_.back();
       todo_.pop_back();
-      std::uint32_t sum = 0;
-      std::uint32_t last = 0;
-      int unknown = 0;
-      for (const std::uint32_t piece : complex_.ring(edge)) {
-        if (known_[piece]) {
-          sum = pool.sum(sum, labels[piece]);
-        } else {
-          last = piece;
-          ++unknown;
-        }
-      }
-      if (unknown == 1)
-        assign(last, sum);
-      else if (unknown == 0 && sum != 0)
-        relations.add(pool.generators(sum));
+      const RingState ring = rings_.at(edge, labels, pool);
+      if (ring.unknown == 1)
+        assign(ring.last, ring.sum);
+      else if (ring.unknown == 0 && ring.sum != 0)
+        relations.add(pool.generators(ring.sum));
     }
   }
 
@@ -64,7 +126,7 @@ class Propagation {
 
  private:
   const C& complex_;
-  BitSet known_;
+  Rings<C> rings_;
   std::vector<std::uint32_t> todo_;
 };
 
@@ -122,7 +184,7 @@ bool sums_to_zero(const C& complex, std::uint32_t edge, const DualPass& pass) {
 
 template <Complex C, PieceSizes S>
 DualPass dual_pass(const C& complex, const S& sizes) {
-  Propagation state(complex, zero_labels(complex, largest_forest(complex, sizes)));
+  Propagation<C> state(complex, largest_forest(complex, sizes));
   std::vector<std::uint32_t> born;
   std::vector<std::uint32_t> largest;
   do {
@@ -155,7 +217,10 @@ bool labels_are_consistent(const C& complex, const DualPass& pass) {
 template DualPass dual_pass(const GridComplex&, const GridSizes&);
 template DualPass dual_pass(const GridComplex&, const FlatSizes&);
 template DualPass dual_pass(const FlatComplex&, const FlatSizes&);
+template DualPass dual_pass(const OctreeComplex&, const OctreeSizes&);
+template DualPass dual_pass(const OctreeComplex&, const FlatSizes&);
 template bool labels_are_consistent(const GridComplex&, const DualPass&);
 template bool labels_are_consistent(const FlatComplex&, const DualPass&);
+template bool labels_are_consistent(const OctreeComplex&, const DualPass&);
 
 }  // namespace isoloop

@@ -17,6 +17,8 @@
 #include "core/complex/flat_complex.h"
 #include "core/complex/grid_complex.h"
 #include "core/complex/grid_sizes.h"
+#include "core/complex/octree_complex.h"
+#include "core/complex/octree_sizes.h"
 #include "core/complex/order.h"
 #include "core/surface/surface_order.h"
 #include "core/z2/bit_column.h"
@@ -369,7 +371,16 @@ template std::vector<SurfacePair> pair_simplices(const Surface&,
                                                  const SizedSide<GridComplex, FlatSizes>&,
                                                  const SizedSide<GridComplex, FlatSizes>&,
                                                  const PairOptions&);
+template std::vector<SurfacePair> pair_simplices(const Surface&,
+                                                 const SizedSide<OctreeComplex, OctreeSizes>&,
+                                                 const SizedSide<OctreeComplex, OctreeSizes>&,
+                                                 const PairOptions&);
+template std::vector<SurfacePair> pair_simplices(const Surface&,
+                                                 const SizedSide<OctreeComplex, FlatSizes>&,
+                                                 const SizedSide<OctreeComplex, FlatSizes>&,
+                                                 const PairOptions&);
 template std::uint64_t fan_triangle_count(const GridComplex&);
+template std::uint64_t fan_triangle_count(const OctreeComplex&);
 template std::uint64_t fan_triangle_count(const FlatComplex&);
 
 }  // namespace isoloop

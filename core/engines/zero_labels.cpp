@@ -353,6 +353,27 @@ class PlainRings {
   std::vector<std::vector<std::uint32_t>> other_edges_;  // by layer
 };
 
+/// `known`, pieces with label 0, and all pieces whose label is 0 if theirs are: where every piece
+/// but one round an interior edge is known, so is the last. `todo`: the edges from which anything
+/// may follow.
+BitSet closed_by_rings(const GridComplex& complex, BitSet known, std::vector<std::uint32_t> todo) {
+  while (!todo.empty()) {
+    const std::uint32_t edge = todo.back();
+    todo.pop_back();
+    std::uint32_t last = 0;
+    int unknown = 0;
+    for (const std::uint32_t piece : complex.ring(edge))
+      if (!known[piece]) {
+        last = piece;
+        ++unknown;
+      }
+    if (unknown != 1) continue;
+    known.insert(last);
+    for (const std::uint32_t next : complex.edges_of(last)) todo.push_back(next);
+  }
+  return known;
+}
+
 }  // namespace
 
 BitSet zero_labels(const GridComplex& complex, const BitSet& forest) {

@@ -10,6 +10,7 @@
 #include "core/base/stage.h"
 #include "core/base/threads.h"
 #include "core/loops/features.h"
+#include "core/octree/leaves.h"
 #include "core/repair/repair.h"
 #include "core/scan/proposal.h"
 #include "isoloop/count.h"
@@ -53,6 +54,7 @@ FoundLoops found(Analysis analysis, std::vector<Feature> features) {
   found.surface = static_cast<SurfaceMesh&&>(analysis.surface);
   found.loops = std::move(analysis.loops);
   found.features = std::move(features);
+  found.complex = analysis.complex;
   found.least_handle_length = analysis.least_handle_length;
   found.least_tunnel_length = analysis.least_tunnel_length;
   return found;
@@ -74,10 +76,14 @@ FoundLoops find_loops(const AnyGridView& grid, const IsoLevel& level, const Loop
   check_grid(grid);
   if (options.feature_ratio && options.boundary == Boundary::open)
     throw InvalidArgument("features ask for a closed boundary");
+  if (options.grading < 0 || options.grading > max_grading)
+    throw InvalidArgument("the grading of an octree is 0, 1 or 2");
   return on_threads(options.threads, [&] {
     Analysis analysis = analyze(grid, level,
                                 AnalysisOptions{.boundary = options.boundary,
                                                 .geodesic = options.geodesic,
+                                                .complex = options.complex,
+                                                .grading = options.grading,
                                                 .tighten = options.tighten,
                                                 .progress = options.progress,
                                                 .max_bytes = options.max_bytes});

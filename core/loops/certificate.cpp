@@ -9,6 +9,7 @@
 
 #include "core/base/errors.h"
 #include "core/complex/grid_complex.h"
+#include "core/complex/octree_complex.h"
 #include "core/surface/surface_order.h"
 
 namespace isoloop {
@@ -30,9 +31,12 @@ struct Turn {
 
 template <BesideSurface C>
 bool any_label(const C& complex, const DualPass& pass, std::uint32_t grid_edge) {
-  const auto ring = complex.ring(grid_edge);
-  return std::any_of(ring.begin(), ring.end(),
-                     [&](std::uint32_t piece) { return pass.labels[piece] != 0; });
+  const CutRing ring = complex.cut_ring(grid_edge);
+  const auto has_label = [&](std::uint32_t piece) {
+    return piece != no_piece && pass.labels[piece] != 0;
+  };
+  return std::any_of(ring.pieces.begin(), ring.pieces.end(), has_label) ||
+         std::any_of(ring.walls.begin(), ring.walls.end(), has_label);
 }
 
 /// The labels of one side's pieces as numbers in the common pool.
@@ -153,6 +157,8 @@ SurfaceClasses surface_classes(const Surface& surface, const C& inside, const Du
 
 template SurfaceClasses surface_classes(const Surface&, const GridComplex&, const DualPass&,
                                         const GridComplex&, const DualPass&);
+template SurfaceClasses surface_classes(const Surface&, const OctreeComplex&, const DualPass&,
+                                        const OctreeComplex&, const DualPass&);
 
 SurfaceClasses surface_classes(const Surface& surface) {
   const SurfaceOrder order = order_surface(surface);

@@ -8,6 +8,7 @@
 #include "core/base/errors.h"
 #include "core/complex/flat_complex.h"
 #include "core/complex/grid_complex.h"
+#include "core/complex/octree_complex.h"
 
 namespace isoloop {
 
@@ -33,6 +34,7 @@ KillingBorders killing_borders(const C& complex, const DualPass& pass) {
 
 template KillingBorders killing_borders(const GridComplex&, const DualPass&);
 template KillingBorders killing_borders(const FlatComplex&, const DualPass&);
+template KillingBorders killing_borders(const OctreeComplex&, const DualPass&);
 
 Z2Basis border_classes(const Surface& surface, const SurfaceClasses& classes, Side side,
                        const KillingBorders& borders) {

@@ -39,15 +39,15 @@ Loop measured_loop(const Surface& surface, LoopKind kind, int id, double size,
 void set_geodesics(const Surface& surface, Loop& loop, std::vector<Geodesic> geodesics);
 
 /// Of each killing piece, the vertices of M to search from for its loop: those on its border, and
-/// those closest to the grid vertices at its corners. `closest`: by grid vertex.
-template <class C>
-requires MeetsSurface<C> && HoldsVoxels<C> std::vector<Curve> starts_near(
-    const C& complex, std::span<const KillingPiece> killing,
-    std::span<const std::uint32_t> closest) {
+/// those closest to the grid vertices at its corners: closest_to(grid vertex).
+template <class C, class ClosestTo>
+requires MeetsSurface<C> && HasCorners<C> std::vector<Curve> starts_near(
+    const C& complex, std::span<const KillingPiece> killing, const ClosestTo& closest_to) {
   std::vector<Curve> starts;
   for (const auto& [piece, size] : killing) {
     Curve& vertices = starts.emplace_back();
-    for (const std::uint32_t corner : complex.corners(piece)) vertices.push_back(closest[corner]);
+    for (const std::uint32_t corner : complex.corners(piece))
+      vertices.push_back(closest_to(corner));
     for (const auto& segment : complex.segments(piece))
       vertices.insert(vertices.end(), segment.begin(), segment.end());
     std::sort(vertices.begin(), vertices.end());

@@ -54,6 +54,7 @@ bool is_short(const LoopSite& site, const RepairRequest& request) {
 
 /// Loops that are asked for by their length need not be made short where they are longer.
 AnalysisOptions fitted_to(const RepairRequest& request, AnalysisOptions options) {
+  options.complex = ComplexKind::grid;  // membranes know of no other
   if (request.loops.empty() && !request.genus)
     options.shorten_below = {.handles = std::max(request.cut_handles, request.either),
                              .tunnels = std::max(request.fill_tunnels, request.either)};

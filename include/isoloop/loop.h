@@ -17,6 +17,11 @@ namespace isoloop {
 /// vertices, whose straight links cut corners about as much as they zigzag.
 enum class GeodesicMode { exact, hierarchy };
 
+/// What K is off M: the cubes of the box one by one, or an octree of them, whose pieces are the
+/// larger the farther they are from M (docs/octree.md). automatic: the octree where it has fewer
+/// than a fifth of the cells.
+enum class ComplexKind { automatic, grid, octree };
+
 /// none: the loops as they were found. basis: exchanged for shorter ones, as a whole. curve: then
 /// drawn across M's triangles too, and not only along their edges.
 enum class Tighten { none, basis, curve };

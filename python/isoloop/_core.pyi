@@ -47,6 +47,8 @@ class EngineFlags:
     engine: str
     refine: str
     tighten: str
+    complex: str
+    grading: Optional[int]
 
 class LoopFilter:
     def __init__(self) -> None: ...

@@ -127,6 +127,7 @@ def _asked(
     engine: str,
     refine: Optional[str],
     tighten: Optional[str],
+    cells: tuple[str, Optional[int]],
     side: str,
     sizes: tuple[float, float],
 ) -> _core.LoopsInput:
@@ -134,6 +135,11 @@ def _asked(
     want("engine", engine, ("dual", "pair"))
     want("refine", refine, ("none", "1", "2", "both"))
     want("tighten", tighten, ("none", "basis", "curve"))
+    want("complex", cells[0], ("auto", "grid", "octree"))
+    if cells[1] is not None and cells[1] not in (0, 1, 2):
+        raise UsageError(f"grading= must be 0, 1 or 2, not {cells[1]!r}")
+    if cells[1] is not None and cells[0] == "grid":
+        raise UsageError('grading= does not go with complex="grid"')
     want("side", side, ("handle", "tunnel", "both"))
     if level.open_boundary and side != "both":
         raise UsageError("side= does not go with open_boundary=, which tells no sides apart")
@@ -144,6 +150,7 @@ def _asked(
     engine_flags = _core.EngineFlags()
     engine_flags.engine, engine_flags.refine = engine, refine or ""
     engine_flags.tighten = tighten or ""
+    engine_flags.complex, engine_flags.grading = cells
     asked.engine = engine_flags
     asked.geodesic = geodesic
     filters = _core.LoopFilter()
@@ -166,6 +173,8 @@ def loops(
     tighten: Optional[str] = None,
     engine: str = "dual",
     refine: Optional[str] = None,
+    complex: str = "auto",
+    grading: Optional[int] = None,
     side: str = "both",
     min_size: float = 0.0,
     max_size: float = float("inf"),
@@ -193,6 +202,10 @@ def loops(
     engine : {"dual", "pair"}
         "pair" is the paper's algorithm (docs/paper.md). `refine`, for it alone, says with which of
         its refinements: "none", "1", "2" or "both", the default.
+    complex : {"auto", "grid", "octree"}
+        The cells off the surface: one for each cube of voxels, or larger ones the farther they
+        are from it (docs/octree.md). `grading`, of the octree: how many of its own widths a cell
+        keeps from the surface, 0, 1 (the default) or 2.
     side : {"both", "handle", "tunnel"}
         Which kind to report; `min_size` and `max_size`: which sizes, in the unit of the spacing.
     feature_ratio : float
@@ -222,7 +235,8 @@ def loops(
     """
     volume = opened(volume, open_boundary)
     level = level_of(iso, inside, topology, connectivity, open_boundary, label)
-    asked = _asked(level, geodesic, engine, refine, tighten, side, (min_size, max_size))
+    cells = (complex, grading)
+    asked = _asked(level, geodesic, engine, refine, tighten, cells, side, (min_size, max_size))
     if feature_ratio is not None:
         if open_boundary:
             raise UsageError("features do not go with open_boundary=")
@@ -368,7 +382,8 @@ def view(
         raise UsageError("triangles= must be at least 1")
     volume = opened(volume, open_boundary)
     level = level_of(iso, inside, topology, connectivity, open_boundary, label)
-    asked = _asked(level, geodesic, "dual", None, None, side, (0.0, float("inf")))
+    cells = ("auto", None)
+    asked = _asked(level, geodesic, "dual", None, None, cells, side, (0.0, float("inf")))
     asked.with_scan = asked.features_may_lack = True
     asked.set_feature_ratio(feature_ratio)
     made = input_of(volume, label, spacing, affine, frame, unit, nan_as)

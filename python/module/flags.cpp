@@ -46,7 +46,9 @@ void bind_flags(py::module_& module) {
       .def(py::init<>())
       .def_readwrite("engine", &EngineFlags::engine)
       .def_readwrite("refine", &EngineFlags::refine)
-      .def_readwrite("tighten", &EngineFlags::tighten);
+      .def_readwrite("tighten", &EngineFlags::tighten)
+      .def_readwrite("complex", &EngineFlags::complex)
+      .def_readwrite("grading", &EngineFlags::grading);
   py::class_<LoopFilter>(module, "LoopFilter")
       .def(py::init<>())
       .def_readwrite("min_size", &LoopFilter::min_size)

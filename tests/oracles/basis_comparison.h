@@ -51,7 +51,8 @@ struct WithLoops {
 
   SearchedLoops search_on(const GridComplex& complex, const DualPass& pass,
                           const KillingBorders& borders, const Z2Basis& classes_there) const {
-    const std::vector<Curve> starts = starts_near(complex, pass.killing, prepared.closest);
+    const std::vector<Curve> starts = starts_near(
+        complex, pass.killing, [&](std::uint32_t corner) { return prepared.closest[corner]; });
     return loops_of_side(prepared.surface, classes,
                          {complex.side(), pass.killing, starts, borders, classes_there});
   }

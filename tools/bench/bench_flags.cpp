@@ -80,7 +80,8 @@ void add_measured_flags(CLI::App& command, LoopsInput& input) {
     if (std::find(before.begin(), before.end(), option) == before.end()) option->group(of_a_file);
   add_geodesic_flag(command, input.geodesic);
   add_method_flags(command, input.engine);
-  for (const char* flag : {"--geodesic", "--engine", "--refine", "--tighten", "--max-memory"})
+  for (const char* flag : {"--geodesic", "--engine", "--refine", "--tighten", "--complex",
+                           "--grading", "--max-memory"})
     command.get_option(flag)->group(of_all);
 }
 

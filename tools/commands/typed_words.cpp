@@ -139,11 +139,11 @@ void check_flags_are_known(const Words& typed, const CLI::App& command) {
 }
 
 void group_rare_flags(CLI::App& app, bool all) {
-  constexpr std::array<const char*, 20> rare{
-      "--endian",     "--skip",       "--affine",   "--world",         "--nan-as",
-      "--max-voxels", "--max-memory", "--geodesic", "--engine",        "--refine",
-      "--dump-pairs", "--tighten",    "--stats",    "--feature-ratio", "--triangles",
-      "--grid",       "--series",     "--channel",  "--frame",         "--open-boundary"};
+  constexpr std::array<const char*, 22> rare{
+      "--endian",     "--skip",          "--affine",    "--world",  "--nan-as",     "--max-voxels",
+      "--max-memory", "--geodesic",      "--engine",    "--refine", "--dump-pairs", "--tighten",
+      "--stats",      "--feature-ratio", "--triangles", "--grid",   "--series",     "--channel",
+      "--frame",      "--open-boundary", "--complex",   "--grading"};
   for (CLI::App* command : app.get_subcommands({})) {
     bool has_rare = false;
     for (const char* flag : rare) {

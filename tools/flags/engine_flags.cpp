@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "core/base/errors.h"
+#include "core/octree/leaves.h"
 #include "tools/words/flag_checks.h"
 
 namespace isoloop {
@@ -40,6 +41,20 @@ void add_method_flags(CLI::App& command, EngineFlags& flags) {
           "together; curve also draws each straight across the surface's triangles")
       ->check(CLI::IsMember({"none", "basis", "curve"}))
       ->type_name("HOW");
+  command
+      .add_option("--complex", flags.complex,
+                  "the cells off the surface: grid has one for each cube of voxels; octree has "
+                  "larger ones the farther they are from it, and sizes there are less fine; auto "
+                  "takes the octree where it has fewer than a fifth of the cells")
+      ->check(CLI::IsMember({"auto", "grid", "octree"}))
+      ->type_name("WHICH")
+      ->capture_default_str();
+  command
+      .add_option("--grading", flags.grading,
+                  "how many of its own widths a cell of the octree keeps from the surface (default "
+                  "1): 2 is nearer to the grid, 0 takes least time and memory")
+      ->check(CLI::Range(0, max_grading))
+      ->type_name("N");
 }
 
 void add_engine_flags(CLI::App& command, EngineFlags& flags) {
@@ -70,6 +85,17 @@ Tighten tighten_of(const EngineFlags& flags, Boundary boundary) {
   }
   return engine_of(flags) == Engine::pair ? Tighten::none : Tighten::basis;
 }
+
+ComplexKind complex_of(const EngineFlags& flags) {
+  if (flags.complex == complex_text(ComplexKind::grid)) {
+    if (flags.grading) throw InvalidArgument("--grading does not go with --complex grid");
+    return ComplexKind::grid;
+  }
+  return flags.complex == complex_text(ComplexKind::octree) ? ComplexKind::octree
+                                                            : ComplexKind::automatic;
+}
+
+int grading_of(const EngineFlags& flags) { return flags.grading.value_or(1); }
 
 PairOptions pair_options(const EngineFlags& flags) {
   if (engine_of(flags) != Engine::pair) {
@@ -110,6 +136,18 @@ std::string refinement_text(Refinement refinement) {
       return "both";
   }
   return "both";
+}
+
+std::string complex_text(ComplexKind complex) {
+  switch (complex) {
+    case ComplexKind::automatic:
+      return "auto";
+    case ComplexKind::grid:
+      return "grid";
+    case ComplexKind::octree:
+      return "octree";
+  }
+  return "auto";
 }
 
 }  // namespace isoloop

@@ -33,6 +33,7 @@ LoopsRun found_in(RunInput volume, const LoopsInput& input, const Progress& prog
   run.geodesic = input.geodesic == "exact" ? GeodesicMode::exact : GeodesicMode::hierarchy;
   run.engine = engine_of(input.engine);
   run.refinement = pair.refinement;
+  run.grading = grading_of(input.engine);
   run.tighten = tighten;
   run.filter = input.filter;
   set_sizes(run.filter, input, run.volume);
@@ -40,6 +41,8 @@ LoopsRun found_in(RunInput volume, const LoopsInput& input, const Progress& prog
                          {.boundary = boundary,
                           .geodesic = run.geodesic,
                           .engine = run.engine,
+                          .complex = complex_of(input.engine),
+                          .grading = run.grading,
                           .tighten = run.tighten,
                           .pair = pair,
                           .count_volume_triangles = input.engine.stats,
@@ -75,6 +78,7 @@ LoopsRun found_in(RunInput volume, const LoopsInput& input, const Progress& prog
 }  // namespace
 
 void check_engine_flags(const LoopsInput& input) {
+  complex_of(input.engine);
   pair_options(input.engine);
   tighten_of(input.engine, boundary_of(input.level));
 }

@@ -81,6 +81,7 @@ struct LoopsRun : CountRun {
   Engine engine = Engine::dual;
   Refinement refinement = Refinement::both;  // of the engine `pair`
   Tighten tighten = Tighten::basis;
+  int grading = 1;  // of an octree, if analysis.complex is one
   LoopFilter filter{};
   std::vector<Loop> reported{};     // select_loops(analysis.loops, filter)
   std::vector<Feature> features{};  // one for each of analysis.loops; empty: not looked for

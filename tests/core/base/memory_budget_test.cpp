@@ -1,9 +1,9 @@
 #include "core/base/memory_budget.h"
 
-#include <array>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -12,36 +12,29 @@
 #include "core/base/threads.h"
 #include "core/engines/spanning_forest.h"
 #include "tests/samples/core_fixture.h"
+#include "tests/samples/octree_fixture.h"
 
 namespace isoloop {
 namespace {
 
 /// What analyze() lacks within `bytes`, if anything.
-std::optional<LimitExceeded> refusal_within(const testing::SmallVolume& volume,
-                                            std::uint64_t bytes) {
+std::optional<LimitExceeded> refusal_within(const testing::SmallVolume& volume, std::uint64_t bytes,
+                                            ComplexKind complex = ComplexKind::grid) {
   try {
-    analyze(volume.view(), testing::zero_level, {.max_bytes = bytes});
+    analyze(volume.view(), testing::zero_level, {.complex = complex, .max_bytes = bytes});
   } catch (const LimitExceeded& error) {
     return error;
   }
   return std::nullopt;
 }
 
-TEST(MemoryBudget, EachStageIsRefusedByNameBeforeItStarts) {
-  testing::SmallVolume volume = testing::torus({48, 48, 48});
-  volume.values.front() = volume.values.back() = 1.0;  // a box beyond the torus: each needs more
-  const testing::Prepared p(volume, GeodesicMode::hierarchy);
-  const std::uint64_t lattice = p.sides.lattice.vertex_count();
-  const std::uint64_t surface = p.edges.count();
-  const std::uint64_t sizes = p.sizes.by_edge.bytes();
-  const std::array<std::pair<const char*, std::uint64_t>, 4> stages{
-      {{"surface", surface_bytes(lattice, surface)},
-       {"closest", closest_bytes(lattice, surface)},
-       {"sizes", sizes_bytes(lattice, surface) + size_search_bytes(surface)},
-       {"pass", pass_bytes(lattice, surface, sizes, 1) +
-                    slab_bytes(lattice, p.sides.lattice.dims[2] + 1, 1)}}};
+using Stages = std::vector<std::pair<const char*, std::uint64_t>>;
+
+/// Each of them needs more than those before.
+void expect_refusals(const testing::SmallVolume& volume, const Stages& stages,
+                     ComplexKind complex) {
   for (const auto& [stage, bytes] : stages) {
-    const auto error = refusal_within(volume, bytes - 1);
+    const auto error = refusal_within(volume, bytes - 1, complex);
     ASSERT_TRUE(error);
     EXPECT_EQ(error->excess.stage, stage);
     EXPECT_EQ(error->excess.unit, Excess::Unit::bytes);
@@ -52,7 +45,35 @@ TEST(MemoryBudget, EachStageIsRefusedByNameBeforeItStarts) {
     for (const std::string& part : {std::string(stage), bytes_text(bytes), bytes_text(bytes - 1)})
       EXPECT_NE(error->finding.text.find(part), std::string::npos) << error->what();
   }
-  EXPECT_FALSE(refusal_within(volume, stages.back().second));
+  EXPECT_FALSE(refusal_within(volume, stages.back().second, complex));
+}
+
+TEST(MemoryBudget, EachStageIsRefusedByNameBeforeItStarts) {
+  testing::SmallVolume volume = testing::torus({48, 48, 48});
+  volume.values.front() = volume.values.back() = 1.0;  // a box beyond the torus: each needs more
+  const testing::Prepared p(volume, GeodesicMode::hierarchy);
+  const Extent extent{p.sides.lattice.vertex_count(), p.edges.count()};
+  expect_refusals(volume,
+                  {{"surface", surface_bytes(extent.lattice, extent.surface)},
+                   {"closest", closest_bytes(extent)},
+                   {"sizes", sizes_bytes(extent) + size_search_bytes(extent.surface)},
+                   {"pass", pass_bytes(extent, p.sizes.by_edge.bytes(), 1) +
+                                slab_bytes(extent.lattice, p.sides.lattice.dims[2] + 1, 1)}},
+                  ComplexKind::grid);
+}
+
+TEST(MemoryBudget, AnOctreeIsAskedForByItsOwnVertices) {
+  const testing::SmallVolume volume = testing::torus({64, 64, 64});
+  const testing::Prepared p(volume, GeodesicMode::hierarchy);
+  const testing::PreparedOctree made(p, 1, GeodesicMode::hierarchy);
+  const Extent extent{p.sides.lattice.vertex_count(), p.edges.count(), made.octree.vertex_count()};
+  expect_refusals(volume,
+                  {{"surface", surface_bytes(extent.lattice, extent.surface)},
+                   {"closest", closest_bytes(extent)},
+                   {"sizes", sizes_bytes(extent) + size_search_bytes(extent.surface)},
+                   {"pass", pass_bytes(extent, made.sizes.bytes(), 1) +
+                                slab_bytes(extent.octree, made.octree.layer_count() + 1, 1)}},
+                  ComplexKind::octree);
 }
 
 TEST(MemoryBudget, SearchesForLoopsAreRefusedWhereTheSurfaceIsLarge) {
@@ -60,7 +81,7 @@ TEST(MemoryBudget, SearchesForLoopsAreRefusedWhereTheSurfaceIsLarge) {
   const testing::Prepared p(volume, GeodesicMode::hierarchy);
   const std::uint64_t vertices = p.surface.points.size();
   const std::uint64_t needed =
-      loops_bytes(p.sides.lattice.vertex_count(), vertices) + loop_search_bytes(vertices);
+      loops_bytes({p.sides.lattice.vertex_count(), vertices}) + loop_search_bytes(vertices);
   const auto error = refusal_within(volume, needed - 1);
   ASSERT_TRUE(error);
   EXPECT_EQ(error->excess.stage, "loops");

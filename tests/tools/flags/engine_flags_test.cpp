@@ -55,5 +55,21 @@ TEST(EngineFlags, TightenNothingWithAnOpenBoundary) {
   }
 }
 
+TEST(EngineFlags, TheGradingIsOfAnOctree) {
+  EngineFlags flags;
+  EXPECT_EQ(complex_of(flags), ComplexKind::automatic);
+  EXPECT_EQ(grading_of(flags), 1);
+  flags.grading = 0;
+  for (const ComplexKind complex : {ComplexKind::automatic, ComplexKind::octree}) {
+    flags.complex = complex_text(complex);
+    EXPECT_EQ(complex_of(flags), complex);
+    EXPECT_EQ(grading_of(flags), 0);
+  }
+  flags.complex = complex_text(ComplexKind::grid);
+  EXPECT_THROW(complex_of(flags), InvalidArgument);
+  flags.grading.reset();
+  EXPECT_EQ(complex_of(flags), ComplexKind::grid);
+}
+
 }  // namespace
 }  // namespace isoloop

@@ -192,6 +192,17 @@ TEST(ReportJson, NamesTheEngineAndItsRefinement) {
   EXPECT_EQ(parsed(run).at("seconds").at("pair"), 0.5);
 }
 
+TEST(ReportJson, NamesTheComplexAndTheGradingOfAnOctree) {
+  LoopsRun run = torus_run();
+  run.analysis.complex = ComplexKind::grid;
+  EXPECT_EQ(parsed(run).at("conventions").at("complex"), "grid");
+  EXPECT_FALSE(parsed(run).at("conventions").contains("grading"));
+  run.analysis.complex = ComplexKind::octree;
+  run.grading = 2;
+  EXPECT_EQ(parsed(run).at("conventions").at("complex"), "octree");
+  EXPECT_EQ(parsed(run).at("conventions").at("grading"), 2);
+}
+
 TEST(ReportJson, LeavesLoopsOutOfACount) {
   std::ostringstream out;
   write_count_json(out, torus_run());
