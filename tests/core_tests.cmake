@@ -41,6 +41,7 @@ isoloop_add_tests(isoloop_core_tests
     core/loops/loops_test.cpp
     core/repair/membrane_test.cpp
     core/base/memory_budget_test.cpp
+    core/analysis/octree_analysis_test.cpp
     core/analysis/open_boundary_test.cpp
     core/analysis/shorten_below_test.cpp
     core/complex/order_test.cpp
