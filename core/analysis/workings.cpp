@@ -134,8 +134,8 @@ void check_engines_agree(const std::vector<SurfacePair>& pairs, const Workings& 
 
 /// A side with the borders of the surfaces that its labels span, and their classes.
 WorkedSide with_borders(const Surface& surface, const SurfaceClasses& classes, WorkedSide side) {
-  side.borders = side.octree ? killing_borders(*side.octree, side.pass)
-                             : killing_borders(*side.complex, side.pass);
+  side.borders =
+      on_complex(side, [&](const auto& complex) { return killing_borders(complex, side.pass); });
   const Side seen_from = side_of(kind_on(surface.boundary, side.complex->side()));
   side.border_classes = border_classes(surface, classes, seen_from, side.borders);
   return side;
@@ -143,20 +143,16 @@ WorkedSide with_borders(const Surface& surface, const SurfaceClasses& classes, W
 
 /// Of K off M, on both sides.
 std::uint64_t count_volume_triangles(const Workings& workings) {
-  const auto count = [](const WorkedSide& side) {
-    return side.octree ? fan_triangle_count(*side.octree) : fan_triangle_count(*side.complex);
-  };
-  return count(workings.inside) + count(workings.outside);
+  const auto count = [](const auto& complex) { return fan_triangle_count(complex); };
+  return on_complex(workings.inside, count) + on_complex(workings.outside, count);
 }
 
 SearchedLoops found_on(const Workings& workings, const WorkedSide& side,
                        std::span<const std::uint32_t> closest, double shorten_below) {
-  const auto starts_on = [&](const auto& complex) {
+  const std::vector<Curve> starts = on_complex(side, [&](const auto& complex) {
     return starts_near(complex, side.pass.killing,
                        [&](std::uint32_t corner) { return closest[workings.vertex_at(corner)]; });
-  };
-  const std::vector<Curve> starts =
-      side.octree ? starts_on(*side.octree) : starts_on(*side.complex);
+  });
   return loops_of_side(workings.analysis.surface, workings.classes,
                        {side.complex->side(), side.pass.killing, starts, side.borders,
                         side.border_classes, shorten_below});

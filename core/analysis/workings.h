@@ -26,6 +26,12 @@ struct WorkedSide {
   Z2Basis border_classes;
 };
 
+/// work(the complex that the pass ran on).
+template <class Work>
+auto on_complex(const WorkedSide& side, const Work& work) {
+  return side.octree ? work(*side.octree) : work(*side.complex);
+}
+
 /// Where M has no loops there are no complexes. The sides of the voxels and the cut edges stay
 /// where they are in memory: the complexes refer to them.
 struct Workings {

@@ -2,6 +2,8 @@
 
 namespace isoloop {
 
+static_assert(Octree::no_vertex == no_piece);  // of faces that are asked for in vain
+
 std::uint32_t OctreeComplex::piece_of(std::uint32_t grid_piece) const {
   if (grid_piece == no_piece) return no_piece;
   if (grid_piece >= grid_.edge_bound()) return grid_piece - grid_.edge_bound() + edge_bound();
@@ -68,7 +70,7 @@ std::array<std::uint32_t, 4> OctreeComplex::faces_round(std::uint32_t edge) cons
     std::uint32_t& after = faces[i];
     std::uint32_t& before = faces[i + 2];
     after = find(at, height);
-    if (after == Octree::no_vertex) after = find(wide_at, height + 1);
+    if (after == no_piece) after = find(wide_at, height + 1);
     if (position[b] >= 1U << height) before = find(at - octree_.step(height, b), height);
     if (before == no_piece && position[b] >= 2U << height)
       before = find(wide_at - octree_.step(height + 1, b), height + 1);

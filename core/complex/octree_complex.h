@@ -37,6 +37,9 @@ class OctreeComplex {
   }
   template <class Visit>
   void for_each_piece(std::uint32_t layer, const Visit& visit) const;
+  /// Those of a layer, but not of the last, that lie in its first plane of vertices.
+  template <class Visit>
+  void for_each_piece_in_first_plane(std::uint32_t layer, const Visit& visit) const;
   template <class Visit>
   void for_each_edge(std::uint32_t layer, const Visit& visit) const;
 
@@ -98,6 +101,15 @@ void OctreeComplex::for_each_piece(std::uint32_t layer, const Visit& visit) cons
     for (std::uint32_t a = 0; a < 3; ++a)
       if (octree_.face_height(v, a) != Octree::none && (is_here(v) || octree_.is_face_cut(v, a)))
         visit(3 * v + a);
+}
+
+template <class Visit>
+void OctreeComplex::for_each_piece_in_first_plane(std::uint32_t layer, const Visit& visit) const {
+  constexpr std::uint32_t across = 2;
+  for (std::uint32_t v = octree_.first_vertex(layer); v < octree_.end_of_first_plane(layer); ++v)
+    if (octree_.face_height(v, across) != Octree::none &&
+        (is_here(v) || octree_.is_face_cut(v, across)))
+      visit(3 * v + across);
 }
 
 template <class Visit>

@@ -53,6 +53,14 @@ class OctreeSizes {
   const OctreeEdgeSizes& sizes_;
 };
 
+/// Leaves end at the first plane of the next layer: the faces in it are all that they touch there.
+template <class Visit>
+void for_each_sized_beside(const OctreeComplex& complex, const OctreeSizes& sizes,
+                           std::uint32_t layer, const Visit& visit) {
+  complex.for_each_piece_in_first_plane(
+      layer, [&](std::uint32_t piece) { visit(piece, sizes.of_piece(piece)); });
+}
+
 static_assert(Sizes<OctreeSizes>);
 
 }  // namespace isoloop

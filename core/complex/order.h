@@ -15,6 +15,7 @@
 
 #include "core/base/bit_set.h"
 #include "core/base/per_thread.h"
+#include "core/base/unset_vector.h"
 #include "core/complex/complex.h"
 
 namespace isoloop {
@@ -26,7 +27,7 @@ inline std::uint64_t order_key(float size, std::uint32_t piece) {
 
 /// Sorts keys whose pieces ascend. It looks at the sizes alone, eleven bits at a time: keys of
 /// equal sizes stay in the order in which they come, which is that of their pieces.
-inline void sort_keys(std::vector<std::uint64_t>& keys) {
+inline void sort_keys(UnsetVector<std::uint64_t>& keys) {
   constexpr int digits = 3;
   constexpr int digit_bits = 11;  // 33 of a size's 32 in all
   constexpr std::size_t values = std::size_t{1} << digit_bits;
@@ -36,7 +37,7 @@ inline void sort_keys(std::vector<std::uint64_t>& keys) {
   std::vector<std::array<std::size_t, values>> counts(digits);
   for (const std::uint64_t key : keys)
     for (int d = 0; d < digits; ++d) ++counts[d][digit_of(key, d)];
-  std::vector<std::uint64_t> sorted(keys.size());
+  UnsetVector<std::uint64_t> sorted(keys.size());
   for (int d = 0; d < digits; ++d) {
     std::exclusive_scan(counts[d].begin(), counts[d].end(), counts[d].begin(), std::size_t{0});
     for (const std::uint64_t key : keys) sorted[counts[d][digit_of(key, d)]++] = key;
@@ -50,12 +51,19 @@ void for_each_sized(const C& complex, const S& sizes, std::uint32_t layer, const
   complex.for_each_piece(layer, [&](std::uint32_t piece) { visit(piece, sizes.of_piece(piece)); });
 }
 
+/// The same for those pieces of a layer, at least, that cells of the layer before may touch.
+template <DualGraph C, PieceSizes S, class Visit>
+void for_each_sized_beside(const C& complex, const S& sizes, std::uint32_t layer,
+                           const Visit& visit) {
+  for_each_sized(complex, sizes, layer, visit);
+}
+
 /// The pieces, which ascend, by size, largest first, and among equal sizes by number, largest
 /// first: the filtration of the paper read backwards.
 template <PieceSizes S>
 std::vector<std::uint32_t> from_largest(const S& sizes, std::vector<std::uint32_t> pieces) {
   const std::size_t count = pieces.size();
-  std::vector<std::uint64_t> keys(count);
+  UnsetVector<std::uint64_t> keys(count);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1 << 14), [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i)
       keys[i] = order_key(sizes.of_piece(pieces[i]), pieces[i]);

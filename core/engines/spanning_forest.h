@@ -46,19 +46,20 @@ class ForestOfLayers {
   /// Adds to `forest`, and sets the entries of these layers' cells in `tree_of_cell`: the greatest
   /// cell of their tree. Returns the pieces of these layers that may be in the forest as well.
   std::vector<std::uint32_t> grow(BitSet& forest, std::span<std::uint32_t> tree_of_cell) {
-    std::vector<std::uint64_t> sized;  // keys
+    UnsetVector<std::uint64_t> sized;  // keys
     std::vector<std::uint32_t> unsized;
-    const std::uint32_t end = std::min(end_ + 1, complex_.layer_count() - 1);
-    for (std::uint32_t layer = begin_; layer < end; ++layer)
-      for_each_sized(complex_, sizes_, layer, [&](std::uint32_t piece, float size) {
-        if (layer == end_) {
-          end_of_own_ = std::min(end_of_own_, piece);
-          if (!touches(piece)) return;
-        }
-        if (size > 0.0F)
-          sized.push_back(order_key(size, piece));
-        else
-          unsized.push_back(piece);
+    const auto add = [&](std::uint32_t piece, float size) {
+      if (size > 0.0F)
+        sized.push_back(order_key(size, piece));
+      else
+        unsized.push_back(piece);
+    };
+    for (std::uint32_t layer = begin_; layer < end_; ++layer)
+      for_each_sized(complex_, sizes_, layer, add);
+    if (end_ + 1 < complex_.layer_count())
+      for_each_sized_beside(complex_, sizes_, end_, [&](std::uint32_t piece, float size) {
+        end_of_own_ = std::min(end_of_own_, piece);
+        if (touches(piece)) add(piece, size);
       });
     sort_keys(sized);
     std::vector<std::uint32_t> open;

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/octree/ranked_bits.h"
 #include "core/base/unset_vector.h"
 #include "core/cube/voxel_sides.h"
 #include "core/octree/leaves.h"
+#include "core/octree/ranked_bits.h"
 
 namespace isoloop {
 
@@ -126,6 +126,11 @@ class Octree {
   /// Layers of the largest blocks; the vertices of a layer follow one another.
   std::uint32_t layer_count() const { return static_cast<std::uint32_t>(first_.size() - 1); }
   std::uint32_t first_vertex(std::uint32_t layer) const { return first_[layer]; }
+  /// After those of a layer that lie in its lowest plane.
+  std::uint32_t end_of_first_plane(std::uint32_t layer) const {
+    return corners_.rank(lattice_vertex(first_[layer]) / lattice_.stride[2] * lattice_.stride[2] +
+                         lattice_.stride[2]);
+  }
 
  private:
   // Bits of a word: three each for the heights of a leaf, faces and edges.

@@ -188,3 +188,18 @@ def test_reading_says_what_is_wrong_in_keywords(tmp_path):
     with pytest.raises(isoloop.UsageError, match="crop="):
         isoloop.read(tmp_path / "a.raw", crop=(slice(0, 4, 2), slice(None), slice(None)))
     assert isoloop.read(tmp_path / "a.raw", dims=(4, 1, 1), type="u8").shape == (4, 1, 1)
+
+
+def test_complexes_are_those_of_the_command(command):
+    path = data("volumes/fuel_64x64x64_uint8.raw")
+    volume = isoloop.read(path)
+    for complex, grading in [("grid", None), ("octree", None), ("octree", 0), ("octree", 2)]:
+        found = isoloop.loops(volume, 30, complex=complex, grading=grading)
+        flags = [] if grading is None else ["--grading", grading]
+        text = command("loops", path, "--iso", 30, "--complex", complex, *flags)
+        assert without_cost(found.to_json()) == without_cost(text)
+        assert found.to_dict()["conventions"]["complex"] == complex
+    with pytest.raises(isoloop.UsageError, match="grading="):
+        isoloop.loops(volume, 30, complex="grid", grading=1)
+    with pytest.raises(isoloop.UsageError, match="grading="):
+        isoloop.loops(volume, 30, grading=3)
