@@ -54,7 +54,7 @@ struct StageSeconds {
 
 struct Analysis {
   Surface surface;
-  ComplexKind complex = ComplexKind::grid;  // grid or octree: that the loops were found with
+  ComplexKind complex = ComplexKind::automatic;  // grid or octree; automatic: no loops, no complex
   Betti betti;
   std::vector<Loop> loops;         // by kind, then by size; every one certified
   std::vector<SurfacePair> pairs;  // engine `pair`: what pair_simplices() returns

@@ -246,6 +246,7 @@ void choose_complex(const AnalysisOptions& options, Workings& workings) {
   for (WorkedSide* side : {&workings.inside, &workings.outside})
     side->complex = std::make_unique<GridComplex>(
         sides, *workings.edges, side == &workings.inside ? Side::inside : Side::outside);
+  workings.analysis.complex = ComplexKind::grid;
   if (options.complex == ComplexKind::grid) return;
   const Leaves leaves = graded_leaves(sides, workings.analysis.surface.spacing, options.grading);
   const auto& [nx, ny, nz] = leaves.cubes;

@@ -37,7 +37,7 @@ struct FoundLoops {
   SurfaceMesh surface;            // that the loops run on; drawn_curves() asks for it
   std::vector<Loop> loops;        // by kind, handles first, then by size; every one certified
   std::vector<Feature> features;  // of each loop, in their order; empty unless asked for
-  ComplexKind complex = ComplexKind::grid;  // grid or octree: that the loops were found with
+  ComplexKind complex = ComplexKind::automatic;  // grid or octree; automatic: there are no loops
   /// No basis of the handle loops, or of the tunnel loops, has a smaller total length along edges
   /// of M; 0 where nothing is known. Unit of the spacing.
   double least_handle_length = 0.0;

@@ -194,12 +194,12 @@ def test_complexes_are_those_of_the_command(command):
     path = data("volumes/fuel_64x64x64_uint8.raw")
     volume = isoloop.read(path)
     for complex, grading in [("grid", None), ("octree", None), ("octree", 0), ("octree", 2)]:
-        found = isoloop.loops(volume, 30, complex=complex, grading=grading)
+        found = isoloop.loops(volume, 15, complex=complex, grading=grading)
         flags = [] if grading is None else ["--grading", grading]
-        text = command("loops", path, "--iso", 30, "--complex", complex, *flags)
+        text = command("loops", path, "--iso", 15, "--complex", complex, *flags)
         assert without_cost(found.to_json()) == without_cost(text)
         assert found.to_dict()["conventions"]["complex"] == complex
     with pytest.raises(isoloop.UsageError, match="grading="):
-        isoloop.loops(volume, 30, complex="grid", grading=1)
+        isoloop.loops(volume, 15, complex="grid", grading=1)
     with pytest.raises(isoloop.UsageError, match="grading="):
-        isoloop.loops(volume, 30, grading=3)
+        isoloop.loops(volume, 15, grading=3)

@@ -75,8 +75,10 @@ Json conventions_of(const CountRun& run, const LoopsRun* loops) {
     conventions["engine"] = engine_text(loops->engine);
     if (loops->engine == Engine::pair)
       conventions["refinement"] = refinement_text(loops->refinement);
-    conventions["complex"] = complex_text(run.analysis.complex);
-    if (run.analysis.complex == ComplexKind::octree) conventions["grading"] = loops->grading;
+    const ComplexKind complex = run.analysis.complex;
+    conventions["complex"] =
+        complex == ComplexKind::automatic ? Json() : Json(complex_text(complex));
+    if (complex == ComplexKind::octree) conventions["grading"] = loops->grading;
     conventions["tighten"] = tighten_text(loops->tighten);
     conventions["infinite_size"] = "null: the loop joins two components of the surface";
   }

@@ -194,6 +194,8 @@ TEST(ReportJson, NamesTheEngineAndItsRefinement) {
 
 TEST(ReportJson, NamesTheComplexAndTheGradingOfAnOctree) {
   LoopsRun run = torus_run();
+  run.analysis.complex = ComplexKind::automatic;  // a surface without loops
+  EXPECT_TRUE(parsed(run).at("conventions").at("complex").is_null());
   run.analysis.complex = ComplexKind::grid;
   EXPECT_EQ(parsed(run).at("conventions").at("complex"), "grid");
   EXPECT_FALSE(parsed(run).at("conventions").contains("grading"));
