@@ -13,7 +13,10 @@ TEST(RankedBits, CountWhatComesBefore) {
   std::mt19937_64 random(1);
   for (int words = 0; words < 5; ++words) {
     std::vector<std::uint64_t> members(static_cast<std::size_t>(words));
-    for (std::uint64_t& word : members) word = random() & random();
+    for (std::uint64_t& word : members) {
+      word = random();
+      word &= random();
+    }
     const RankedBits bits(members);
     const auto bound = static_cast<std::uint32_t>(64 * words);
     std::uint32_t before = 0;
